@@ -11,8 +11,8 @@ use super::inverse::{Inverse, invert};
 use super::isolated::isolated;
 use super::isolated_point::Isolated;
 use super::symmetric::Rows;
-use super::tracing::common_numerator;
-use crate::error::{Error, Result};
+use super::tracing::{common_numerator, tracing_index};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, polynomial_gcd};
@@ -112,6 +112,29 @@ pub(crate) fn real_counts<const N: usize>(
     };
     let (_, counts) = values_taken::<N>(&m, limits)?;
     Ok(counts.map(positive))
+}
+
+/// The coordinates as functions of a parameter that traces the curve once, if a general point has an even number of parameters and
+/// some of them are real at every general point. `None` otherwise: an odd tracing index does not change the parity of anything that
+/// is counted along the curve, and a curve of which only a part is reached is traced there and back.
+///
+/// # Errors
+/// [`Error::Limit`] if this is too much work; those of `limits`.
+pub(crate) fn traced_once<const N: usize>(
+    coordinates: &[RationalFunction; N],
+    limits: &Limits,
+) -> Result<Option<[RationalFunction; N]>> {
+    if tracing_index(coordinates, limits)? % 2 == 1 {
+        return Ok(None);
+    }
+    let common = common_numerator(coordinates, limits)?;
+    let generator = generator(&common);
+    let m =
+        generator.invariant("two coefficients of the common numerator have no constant quotient");
+    if counts_by_value(&m, limits)?.contains(&0) {
+        return Ok(None);
+    }
+    in_terms_of(coordinates, &m, limits)
 }
 
 fn positive(counts: BTreeSet<usize>) -> Vec<usize> {

@@ -36,8 +36,8 @@ mod views;
 pub use beyond::{PointBeyond, point_beyond};
 pub use harmonic::SquaredHarmonics;
 pub(crate) use identity::lies_on;
-pub(crate) use image::real_counts;
 pub use image::{Coverage, RealImage, real_image};
+pub(crate) use image::{real_counts, traced_once};
 pub use isolated_point::{Isolated, IsolatedPoint};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{

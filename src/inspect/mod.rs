@@ -163,7 +163,7 @@ pub struct Inspection {
     /// of which it is not known.
     ///
     /// For an equation it is the sign of its polynomial, whose first term is positive. Inside a closed plane curve with a
-    /// parameter are the points around which it winds an odd number of times; for a radius r > 0, these have ρ < r.
+    /// parameter are the points around which it, traced once, winds an odd number of times; for a radius r > 0, these have ρ < r.
     pub sign: Option<i8>,
 }
 

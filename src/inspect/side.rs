@@ -3,7 +3,7 @@
 use super::DistanceBounds;
 use super::known::PlanePoint;
 use super::winding::Winding;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
 use crate::limits::Limits;
@@ -14,7 +14,7 @@ use crate::shape::{EllipticSeries, FourierRadius, PlaneCurve};
 pub(crate) enum Sides {
     /// Inside is where ρ < r(θ); r is positive.
     Radius(Box<RadiusSides>),
-    /// Inside is where the curve winds an odd number of times around the point.
+    /// Inside is where the curve, traced once, winds an odd number of times around the point.
     Closed(Box<Winding>),
 }
 
@@ -28,16 +28,19 @@ impl Sides {
         if is_positive {
             return Ok(Self::Radius(Box::new(RadiusSides::new(radius))));
         }
-        let curve = EllipticSeries::from_radius(radius).to_plane_curve();
-        Ok(Self::Closed(Box::new(Winding::new(&curve, limits)?)))
+        let series = EllipticSeries::from_radius(radius);
+        Ok(Self::Closed(Box::new(Winding::of_series(&series, limits)?)))
     }
 
-    /// The sides of a parametric curve; `None` if it is not closed.
+    /// The sides of a parametric curve; `None` if it is not closed, or if it is too much work to find how it is traced.
     pub(crate) fn of_curve(curve: &PlaneCurve, limits: &Limits) -> Result<Option<Self>> {
         if !Winding::is_closed(curve) {
             return Ok(None);
         }
-        Ok(Some(Self::Closed(Box::new(Winding::new(curve, limits)?))))
+        match Winding::new(curve, limits) {
+            Err(Error::Limit { .. }) => limits.check().map(|()| None),
+            winding => Ok(Some(Self::Closed(Box::new(winding?)))),
+        }
     }
 
     /// Whether [`Self::sign`] needs no bounds of the distance.

@@ -114,8 +114,24 @@ fn winding_numbers_count_by_parity() {
             vec![[1, 0], [-1, 0]],
             vec![[3, 0], [-3, 1]],
         ),
-        // A circle that is traced twice.
+        // Circles that are traced twice, by multiples of an angle and by another function of degree 2, and twice there and back.
         ("x = cos(2t); y = sin(2t)", vec![[1, 1]], vec![[3, 0]]),
+        (
+            "x = cos(t)^2; y = sin(t)*cos(t)",
+            vec![[1, 0], [1, 1]],
+            vec![[-1, 0], [3, 0]],
+        ),
+        (
+            "x = (t^2 - (t^2 - 2)^2)/(t^2 + (t^2 - 2)^2); y = 2t*(t^2 - 2)/(t^2 + (t^2 - 2)^2)",
+            vec![[1, 0], [-1, 1]],
+            vec![[3, 0], [0, 4]],
+        ),
+        // Half a circle there and back is no boundary.
+        (
+            "x = (1 - t^4)/(1 + t^4); y = 2t^2/(1 + t^4)",
+            Vec::new(),
+            vec![[1, 1], [0, 0], [3, 0]],
+        ),
     ] {
         let curve = plane_curve(form);
         let sides = Sides::of_curve(&curve, &Limits::none()).unwrap().unwrap();
@@ -140,6 +156,25 @@ fn winding_numbers_count_by_parity() {
                     );
                 }
             }
+        }
+    }
+    // Only odd harmonics trace a radius twice.
+    for (form, inside, outside) in [
+        ("r = sin(t)", [0, 1], [0, -1]),
+        ("r = cos(3t)", [1, 0], [-1, 0]),
+        ("r = 2*cos(t)^3", [1, 0], [-1, 0]),
+    ] {
+        let Form::Fourier(radius) = parse_form(form, "<form>", Numbers::Exact).unwrap() else {
+            panic!("a radius")
+        };
+        let sides = Sides::of_radius(&radius, false, &Limits::none()).unwrap();
+        let unknown = DistanceBounds {
+            low: 0.0,
+            high: f64::INFINITY,
+        };
+        for ([x, y], expected) in [(inside, -1), (outside, 1)] {
+            let point = [quotient(x, 2), quotient(y, 3)];
+            assert_eq!(sign(&sides, &point, unknown), expected, "{form}");
         }
     }
     for open in ["x = t^2; y = t^3 + t", "x = 1/t; y = t/(1 + t^2)"] {

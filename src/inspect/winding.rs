@@ -1,4 +1,4 @@
-//! Whether a closed plane curve winds an odd number of times around a point.
+//! Whether a closed plane curve, traced once, winds an odd number of times around a point.
 
 use malachite::Integer;
 use malachite::base::polynomial::{Derivative, Polynomial};
@@ -8,12 +8,14 @@ use super::known::PlanePoint;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::NearPolygon;
+use crate::implicitize::traced_once;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
 use crate::roots::real_roots;
 use crate::shape::{EllipticSeries, PlaneCurve};
 
-/// The numerators and the denominator of the two coordinates of a closed curve, and a polygon near it if it has one.
+/// The coordinates of a closed curve, which are functions of a parameter that traces it once or an odd number of times, or there and
+/// back; and a polygon near it if it has one.
 #[derive(Debug)]
 pub(crate) struct Winding {
     coordinates: [RationalFunction; 2],
@@ -31,14 +33,30 @@ impl Winding {
     }
 
     /// The winding numbers of a closed curve.
+    ///
+    /// # Errors
+    /// [`crate::error::Error::Limit`] if it is too much work to find a parameter that traces the curve once; those of `limits`.
     pub(super) fn new(curve: &PlaneCurve, limits: &Limits) -> Result<Self> {
-        let polygon = match EllipticSeries::of_plane_curve(curve) {
-            Some(series) => NearPolygon::new(&series, limits)?,
-            None => None,
-        };
+        match EllipticSeries::of_plane_curve(curve) {
+            Some(series) => Self::of_series(&series, limits),
+            None => Ok(Self {
+                coordinates: traced_once(curve.coordinates(), limits)?
+                    .unwrap_or_else(|| curve.coordinates().clone()),
+                polygon: None,
+            }),
+        }
+    }
+
+    /// The winding numbers of the curve of a series.
+    ///
+    /// A series without a common divisor of its harmonics traces its curve once, or there and back: a parameter that traces it
+    /// once has the same poles, so that it is a multiple of the angle or a polynomial in the cosine of an angle.
+    pub(super) fn of_series(series: &EllipticSeries, limits: &Limits) -> Result<Self> {
+        let once = series.traced_once();
+        let series = once.as_ref().unwrap_or(series);
         Ok(Self {
-            coordinates: curve.coordinates().clone(),
-            polygon,
+            coordinates: series.to_plane_curve().coordinates().clone(),
+            polygon: NearPolygon::new(series, limits)?,
         })
     }
 

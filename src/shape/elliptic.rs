@@ -1,6 +1,7 @@
 //! [`EllipticSeries`]: a closed curve that is given by finite Fourier series of its coordinates.
 
 use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::fourier::{series, series_as_function};
 use super::{FourierRadius, Parameter, ParametricCurve, PlaneCurve};
@@ -95,6 +96,15 @@ impl EllipticSeries {
         let [x, y] = functions.map(harmonics_of_function);
         let ([a, b], [c, d]) = (x?, y?);
         Some(Self::new([a, b, c, d]))
+    }
+
+    /// The series of the same curve, traced once, if all harmonics are multiples of a number g > 1: then t runs g times around it.
+    pub(crate) fn traced_once(&self) -> Option<Self> {
+        let harmonics =
+            (1..=self.harmonics()).filter(|&n| self.lists.iter().any(|c| !c[n].is_zero()));
+        let step = harmonics.fold(0, |g: usize, n| g.gcd(n));
+        let every = |list: &Vec<Rational>| list.iter().step_by(step).cloned().collect();
+        (step > 1).then(|| Self::new(self.lists.each_ref().map(every)))
     }
 
     /// The number of harmonics N.
