@@ -49,6 +49,11 @@ impl Reference {
                 "the radius was taken at the angle in degrees, where radians are meant".into(),
             form: mapped(points, |point| out_of_degrees(radius, point)),
         }));
+        // Points near the largest double leave the doubles.
+        all.retain(|mistake| {
+            let mut coordinates = mistake.form.iter().flat_map(|point| point.position);
+            coordinates.all(f64::is_finite)
+        });
         all
     }
 }
@@ -81,11 +86,16 @@ fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
         .filter_map(|ratio| format!("{ratio:.11e}").parse().ok())
         .filter(|short: &f64| short.is_finite() && *short > 0.0)
         .filter(|short| (short - 1.0).abs() > f64::EPSILON && is_shared(*short))
-        .take(PROPOSALS)
-        .collect();
+        .fold(Vec::new(), |mut all, short| {
+            if all.len() < PROPOSALS && !all.contains(&short) {
+                all.push(short);
+            }
+            all
+        });
     let units = [10.0, 100.0, 1000.0, 25.4, 2.54];
     let both = units.into_iter().flat_map(|unit| [unit, 1.0 / unit]);
-    proposed.into_iter().chain(both)
+    let others: Vec<f64> = both.filter(|unit| !proposed.contains(unit)).collect();
+    proposed.into_iter().chain(others)
 }
 
 /// Undoes the mistake for a point whose radius was computed as r(180 α/π) instead of r(α), where α is its angle.
@@ -93,5 +103,10 @@ fn out_of_degrees(radius: &FourierRadius, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let angle = y.atan2(x);
     let turned = radius.approximate(angle.to_degrees());
     let factor = radius.approximate(angle) / turned;
-    [x * factor, y * factor, z]
+    if factor.is_finite() {
+        [x * factor, y * factor, z]
+    } else {
+        // The mistake leads to no such point.
+        [x, y, z]
+    }
 }

@@ -29,7 +29,8 @@ pub(super) struct Mistaken<T> {
 }
 
 /// The mistakes that explain the faults of a comparison. At the highest mark at which some mistake leaves at most a tenth of
-/// the faults, these are the mistakes that leave the fewest. `compare` compares the same numbers with the form of a mistake.
+/// the faults, these are the mistakes that leave the fewest, if they give as many of the worst numbers one digit more on average: numbers
+/// that miss the mark by little can pass it by chance. `compare` compares the same numbers with the form of a mistake.
 pub(super) fn diagnose<T>(
     found: &Comparison,
     mistakes: impl IntoIterator<Item = Mistaken<T>>,
@@ -40,19 +41,25 @@ pub(super) fn diagnose<T>(
     if before[0] == 0 {
         return Vec::new();
     }
+    let worst = before.map(|count| mean_of_worst(found, count));
     let tried = mistakes.into_iter().filter_map(|mistake| {
-        let after = faults(&compare(&mistake.form)?);
-        Some((mistake, after))
+        let compared = compare(&mistake.form)?;
+        let after = faults(&compared);
+        let gains: [bool; MARKS.len()] =
+            std::array::from_fn(|k| mean_of_worst(&compared, before[k]) >= worst[k] + 1.0);
+        Some((mistake, after, gains))
     });
-    let tried: Vec<(Mistaken<T>, [usize; MARKS.len()])> = tried.collect();
+    let tried: Vec<_> = tried.collect();
     for (k, mark) in MARKS.into_iter().enumerate() {
-        let left = tried.iter().map(|(_, after)| after[k]).min();
+        let left = tried.iter().map(|(_, after, _)| after[k]).min();
         let Some(left) = left.filter(|left| before[k] > 0 && left * LEFT <= before[k]) else {
             continue;
         };
-        let explain = tried.iter().filter(|(_, after)| after[k] == left);
-        return explain
-            .map(|(mistake, _)| Diagnosis {
+        let explain = tried
+            .iter()
+            .filter(|(_, after, gains)| after[k] == left && gains[k]);
+        let explain: Vec<Diagnosis> = explain
+            .map(|(mistake, ..)| Diagnosis {
                 name: mistake.name.clone(),
                 explanation: mistake.explanation.clone(),
                 mark,
@@ -61,8 +68,20 @@ pub(super) fn diagnose<T>(
                 faults_left: left,
             })
             .collect();
+        if !explain.is_empty() {
+            return explain;
+        }
     }
     Vec::new()
+}
+
+/// The number of correct digits of the `count` worst numbers, on average.
+#[expect(clippy::cast_precision_loss, reason = "a count of numbers is small")]
+fn mean_of_worst(comparison: &Comparison, count: usize) -> f64 {
+    let mut digits: Vec<f64> = comparison.all().map(|row| row.deviation.digits()).collect();
+    digits.sort_unstable_by(f64::total_cmp);
+    digits.truncate(count);
+    digits.iter().sum::<f64>() / digits.len().max(1) as f64
 }
 
 /// The radii that mistakes with the series lead to, without those that leave this radius unchanged or give 0.

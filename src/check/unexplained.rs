@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
+use malachite::base::num::logic::traits::SignificantBits;
+
 use super::comparison::{Comparison, Diagnosis, GivenNumber, Row};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::total_degree;
 
@@ -116,20 +119,39 @@ fn kind(wrong: &[&Row]) -> String {
     if wrong.len() > 1
         && let Some(ratio) = common_ratio(wrong)
     {
-        text += &format!("; got/exact = {ratio}");
+        text += &format!("; got/exact {ratio}");
     }
     text
 }
 
-/// The ratio of the given numbers to the exact ones, if it is the same simple fraction for all of them up to a millionth.
-fn common_ratio(wrong: &[&Row]) -> Option<Rational> {
-    let ratio = |row: &&Row| {
+/// The ratio of the given numbers to the exact ones, if it is the same for all of them up to a millionth: as an equality if it is a
+/// fraction that is much simpler than any other number as near would be by chance, else as a decimal of the digits in which the ratios
+/// agree.
+fn common_ratio(wrong: &[&Row]) -> Option<String> {
+    /// Ratios of numbers that are rounded to doubles differ by about this.
+    const ROUNDED: i64 = -50;
+    /// Ratios that agree less are not one.
+    const LEAST: i64 = -20;
+    /// The bits by which a fraction is simpler than those that are as near by chance.
+    const SIMPLER: i64 = 12;
+    let power = |k: i64| Rational::from_dyadic(1.into(), k);
+    let ratios = wrong.iter().map(|row| {
         let exact = row.exact.as_ref().filter(|exact| !exact.is_zero())?;
         Some(Rational::try_from(row.got).ok()? / exact)
-    };
-    let first = ratio(wrong.first()?)?;
-    let slack = first.abs() * Rational::from_dyadic(1.into(), -20);
-    let simple = Rational::simplest_between(&(&first - &slack), &(&first + &slack));
-    let is_near = |row: &&Row| ratio(row).is_some_and(|r| (r - &simple).abs() <= slack);
-    (simple.bits() <= 12 && wrong.iter().all(is_near)).then_some(simple)
+    });
+    let ratios: Vec<Rational> = ratios.collect::<Option<_>>()?;
+    let (least, largest) = (ratios.iter().min()?, ratios.iter().max()?);
+    let size = least.abs().max(largest.abs());
+    let spread = largest - least;
+    // The exponent of the power of two that bounds the relative spread.
+    let agreed = (ROUNDED..=LEAST).find(|&k| spread <= &size * power(k))?;
+    let slack = &size * power(agreed);
+    let simple = Rational::simplest_between(&(largest - &slack), &(least + &slack));
+    let length = simple.numerator().significant_bits() + simple.denominator().significant_bits();
+    if length.cast_signed() + SIMPLER <= -agreed {
+        return Some(format!("= {simple}"));
+    }
+    // Ten bits are three digits; the last one may be rounded either way.
+    let digits = u32::try_from(-agreed * 3 / 10 - 1).invariant("the bits of a double are few");
+    Some(format!("≈ {}", ratios[0].to_significant(digits)))
 }

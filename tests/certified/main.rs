@@ -5,6 +5,7 @@ mod common;
 
 mod check;
 mod check_bad_input;
+mod check_chance;
 mod check_cli;
 mod check_mistakes;
 mod check_numpy;

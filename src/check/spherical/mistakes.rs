@@ -93,19 +93,24 @@ pub(super) fn mistaken_surfaces(surface: &HarmonicSurface) -> Vec<Mistaken<Harmo
                 "the harmonics are multiplied by the factor of this normalization, which the coefficients have already",
             ),
         ] {
+            let factor = |l: usize, m: isize| {
+                let norm = normalization.factor(l, m.unsigned_abs());
+                exact(if is_divided { 1.0 / norm } else { norm })
+            };
+            // Of harmonics with the factor 1 the normalization is right.
+            if surface
+                .terms()
+                .all(|(l, m, _)| factor(l, m) == Rational::one())
+            {
+                continue;
+            }
             for with_phase in [false, true] {
-                let factor = |l: usize, m: isize| {
-                    let norm = normalization.factor(l, m.unsigned_abs());
-                    let factor = if is_divided { 1.0 / norm } else { norm };
-                    let factor = exact(factor);
-                    (
-                        m,
-                        if with_phase {
-                            factor * phase(m)
-                        } else {
-                            factor
-                        },
-                    )
+                let phase = |m| {
+                    if with_phase {
+                        phase(m)
+                    } else {
+                        Rational::one()
+                    }
                 };
                 let and = if with_phase {
                     " and Condon–Shortley phase"
@@ -115,7 +120,7 @@ pub(super) fn mistaken_surfaces(surface: &HarmonicSurface) -> Vec<Mistaken<Harmo
                 add(
                     format!("normalization: {name}{and}"),
                     what.into(),
-                    mapped(&factor),
+                    mapped(&|l, m| (m, factor(l, m) * phase(m))),
                 );
             }
         }
