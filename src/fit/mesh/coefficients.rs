@@ -1,6 +1,6 @@
 //! The coefficients of a mesh in normalised harmonics, and the errors of their sums.
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
 
 use super::nodes::{as_f64, gauss_legendre, turns};
 use super::rays::Rays;
@@ -30,6 +30,8 @@ pub(super) struct Samples {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Deviation {
     pub(super) largest: f64,
+    /// The direction of the largest error.
+    pub(super) at: [f64; 3],
     pub(super) mean_square: f64,
 }
 
@@ -94,7 +96,9 @@ impl Samples {
                 let range = l * l..(l + 1) * (l + 1);
                 let part = coefficients[range.clone()].iter().zip(&values[range]);
                 rest -= part.map(|(c, y)| c * y).sum::<f64>();
-                found.largest = found.largest.max(rest.abs());
+                if rest.abs() > found.largest {
+                    (found.largest, found.at) = (rest.abs(), direction);
+                }
                 found.mean_square += weight * rest * rest;
             }
         };
@@ -111,6 +115,53 @@ impl Samples {
             add(direction, radius, 0.0);
         }
         Ok(found)
+    }
+}
+
+impl Samples {
+    /// The largest error of the sum up to a degree near the direction of its largest sampled error. From there it climbs in steps
+    /// that begin with the distance of two samples and are halved where no step leads higher.
+    pub(super) fn largest_near(
+        &self,
+        sampled: &Deviation,
+        rays: &mut Rays<'_>,
+        coefficients: &[f64],
+        degree: usize,
+    ) -> f64 {
+        /// The directions of steps, which are turned after each round, because the highest point may be on a ridge.
+        const WAYS: u32 = 12;
+        /// Rounds, of which about forty halve the step down to the precision of doubles.
+        const ROUNDS: u32 = 100;
+        let mut basis = NormalizedHarmonics::new(degree);
+        let mut values = vec![0.0; (degree + 1) * (degree + 1)];
+        let mut error = |direction: [f64; 3]| {
+            basis.values(direction, &mut values);
+            let sum: f64 = coefficients.iter().zip(&values).map(|(c, y)| c * y).sum();
+            (rays.radius(direction) - sum).abs()
+        };
+        let (mut at, mut largest) = (Vector3::from(sampled.at), sampled.largest);
+        let mut step = std::f64::consts::PI / as_f64(self.latitudes.len());
+        for round in 0..ROUNDS {
+            let axis = if at.x.abs() < 0.8 {
+                Vector3::x()
+            } else {
+                Vector3::y()
+            };
+            let u = at.cross(&axis).normalize();
+            let v = at.cross(&u);
+            let steps = (0..WAYS).map(|k| {
+                let turn = f64::from(k) / f64::from(WAYS) + f64::from(round) / 7.0;
+                let angle = std::f64::consts::TAU * turn;
+                (at + step * (angle.cos() * u + angle.sin() * v)).normalize()
+            });
+            let next = steps.map(|to| (error(to.into()), to));
+            let next = next.max_by(|a, b| a.0.total_cmp(&b.0));
+            match next {
+                Some((value, to)) if value > largest => (largest, at) = (value, to),
+                _ => step /= 2.0,
+            }
+        }
+        largest
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::mesh::mesh_harmonic;
+use crate::shape::HarmonicPair;
 use proptest::prelude::*;
 
 /// The mesh of a harmonic surface, with this number of rows of directions.
@@ -57,6 +58,33 @@ proptest! {
         }
     }
 
+    /// No direction has a larger error than the one that is stated.
+    #[test]
+    fn the_largest_error_is_the_largest(radii in prop::array::uniform6(0.5f64..2.0), degree in 0usize..3) {
+        let axes = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+        let vertices = radii.iter().zip(axes).map(|(r, axis)| axis.map(|x| r * x));
+        let triangles = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+        let solid = Solid::new(vertices.collect(), triangles.to_vec(), "octahedron").unwrap();
+        let options = MeshFitOptions::new(MeshFitSize::Degree(degree))
+            .center(CenterChoice::InSpace(std::array::from_fn(|_| Rational::zero())));
+        let estimators = if degree < 2 { vec![Estimator::Quadrature, Estimator::LeastSquares] } else { vec![Estimator::Quadrature] };
+        for estimator in estimators {
+            let found = fit_mesh(&solid, &options.clone().estimator(estimator), &Limits::none()).unwrap();
+            let pair = HarmonicPair::new(&found.surface);
+            let mut rays = rays::Rays::new(&solid, [0.0; 3]);
+            for k in 0..300i64 {
+                // Rational unit vectors by stereographic projection.
+                let [s, t] = [k % 17 - 8, k / 17 - 8].map(|x| Rational::from(x) / Rational::from(5));
+                let square = &s * &s + &t * &t;
+                let below = (Rational::one() + &square).recip().unwrap();
+                let exact = [&s + &s, &t + &t, Rational::one() - square].map(|x| x * &below);
+                let unit = exact.each_ref().map(Rational::to_f64);
+                let error = (rays.radius(unit) - pair.value(&exact).to_f64()).abs();
+                prop_assert!(error <= found.max_radial_error + 1e-12, "{error} {}", found.max_radial_error);
+            }
+        }
+    }
+
     /// A cube is star-shaped exactly about its inner points.
     #[test]
     fn visibility_is_exact(p in [-12i64..13, -12i64..13, -12i64..13]) {
@@ -90,6 +118,55 @@ fn quadrature_is_near_the_surface() {
     };
     let least = fit_mesh(&solid, &options, &Limits::none()).unwrap();
     assert_eq!(least.surface.degree(), 3);
+}
+
+/// The largest error is between the samples: in the direction (−0.28808, −0.89712, 0.33494) it is 0.7896263, by another program.
+#[test]
+fn the_largest_error_may_be_between_the_samples() {
+    let vertices = vec![
+        [-0.29, 0.48, 0.0],
+        [0.94, 1.52, 0.0],
+        [-0.85, -1.38, 0.0],
+        [0.94, -1.53, 0.0],
+        [0.0, -0.7, 1.14],
+        [0.0, 0.33, 0.53],
+        [0.0, -0.45, -0.72],
+        [0.0, 0.45, -0.73],
+        [1.21, 0.0, -0.75],
+        [1.2, 0.0, 0.74],
+        [-0.56, 0.0, -0.35],
+        [-0.97, 0.0, 0.6],
+    ];
+    let triangles = vec![
+        [0, 11, 5],
+        [0, 5, 1],
+        [0, 1, 7],
+        [0, 7, 10],
+        [0, 10, 11],
+        [1, 5, 9],
+        [5, 11, 4],
+        [11, 10, 2],
+        [10, 7, 6],
+        [7, 1, 8],
+        [3, 9, 4],
+        [3, 4, 2],
+        [3, 2, 6],
+        [3, 6, 8],
+        [3, 8, 9],
+        [4, 9, 5],
+        [2, 4, 11],
+        [6, 2, 10],
+        [8, 6, 7],
+        [9, 8, 1],
+    ];
+    let solid = Solid::new(vertices, triangles, "icosahedron").unwrap();
+    let options = MeshFitOptions::new(MeshFitSize::Degree(2)).estimator(Estimator::LeastSquares);
+    let found = fit_mesh(&solid, &options, &Limits::none()).unwrap();
+    assert!(
+        (0.789_626_2..0.79).contains(&found.max_radial_error),
+        "{}",
+        found.max_radial_error
+    );
 }
 
 #[test]

@@ -54,8 +54,8 @@ options! {
 pub struct MeshFit {
     /// The surface, with its center.
     pub surface: HarmonicSurface,
-    /// The largest difference of the radii of mesh and surface in all sampled directions, those of all vertices, and those of the
-    /// points of triangles and edges that are nearest to the center, in doubles.
+    /// The largest difference of the radii of mesh and surface, in doubles: that in all sampled directions, those of all vertices, and
+    /// those of the points of triangles and edges that are nearest to the center, and from the largest of these up to the next maximum.
     pub max_radial_error: f64,
     /// The root of the mean square of the difference over the sphere, in doubles.
     pub rms_radial_error: f64,
@@ -115,11 +115,17 @@ pub fn fit_mesh(solid: &Solid, options: &MeshFitOptions, limits: &Limits) -> Res
         false => quadrature(&samples, degree, limits)?,
     };
     let errors = samples.errors(&rays, &found, degree, limits)?;
-    let degree =
+    let mut largest = |degree: usize| {
+        let count = (degree + 1) * (degree + 1);
+        samples.largest_near(&errors[degree], &mut rays, &found[..count], degree)
+    };
+    let (degree, largest) =
         match options.size {
-            MeshFitSize::Degree(degree) => degree,
+            MeshFitSize::Degree(degree) => (degree, largest(degree)),
             MeshFitSize::Tolerance(tolerance) => {
-                let reached = errors.iter().position(|error| error.largest <= tolerance);
+                let mut near = (0..=degree).filter(|&l| errors[l].largest <= tolerance);
+                let reached =
+                    near.find_map(|l| Some((l, largest(l))).filter(|(_, e)| *e <= tolerance));
                 reached.ok_or_else(|| {
                 let least = errors.iter().map(|e| e.largest).fold(f64::INFINITY, f64::min);
                 Error::limit(format!(
@@ -128,12 +134,11 @@ pub fn fit_mesh(solid: &Solid, options: &MeshFitOptions, limits: &Limits) -> Res
             })?
             }
         };
-    let error = &errors[degree];
     let terms = coefficients::unnormalised(&found, degree)?;
     Ok(MeshFit {
         surface: HarmonicSurface::new(terms)?.with_center(center),
-        max_radial_error: error.largest,
-        rms_radial_error: error.mean_square.sqrt(),
+        max_radial_error: largest,
+        rms_radial_error: errors[degree].mean_square.sqrt(),
         is_star_shaped: true,
         samples: match is_least_squares {
             true => solid.vertices().len(),
