@@ -34,6 +34,14 @@ fn assert_refused(mistakes: &[Mistake]) {
 fn a_long_name_needs_two_plain_dashes() {
     assert_refused(&[
         (
+            "plot '-x^4+y^2=0' -o q.svg",
+            "there is no option -x; a form that begins with a minus sign stands behind --, after all options",
+        ),
+        (
+            "plot '-3*x^4+y^2=0' -o q.svg",
+            "a form that begins with a minus sign stands behind --",
+        ),
+        (
             "fit c.csv -harmonics 3",
             "-harmonics: a long name has two plain dashes before it: --harmonics",
         ),

@@ -48,6 +48,15 @@ pub(super) fn unknown(
     if let Ok(format) = name.parse::<Format>() {
         return instead(&format!("--format {format}"));
     }
+    // The first letter of a form behind its sign.
+    if let Some(first) = option.strip_prefix('-')
+        && let [first] = *first.as_bytes()
+        && b"xyzrRt(.0123456789".contains(&first)
+    {
+        return format!(
+            "there is no option {option}; a form that begins with a minus sign stands behind --, after all options"
+        );
+    }
     let mut beginning = long_names(verb).filter(|long| long.starts_with(&name));
     match (beginning.next(), beginning.next(), similar) {
         (Some(long), None, _) => instead(&format!("--{long}")),
