@@ -273,18 +273,10 @@ fn fourier_notes(d: &Description, f: &FourierDescription, positive: &[Range]) ->
             d.origin_multiplicity
         ));
     }
-    if !f.star_shaped() && !f.perfect_square && has_negative_radius(f) {
+    if !f.star_shaped() && !f.perfect_square && f.has_negative_radius() {
         notes.push("where r(t) < 0 the reflected arc belongs to F = 0: the points at distance |r(t)| in the direction t + pi".into());
     }
     notes
-}
-
-/// Whether r < 0 at some angle, which is so if −r is positive there.
-fn has_negative_radius(f: &FourierDescription) -> bool {
-    let negated = |v: &[crate::exact::Rational]| v.iter().map(|c| -c).collect();
-    let r =
-        crate::shape::FourierRadius::new(negated(f.radius.cosines()), negated(f.radius.sines()));
-    !crate::parametrize::positive_ranges(&r).is_empty()
 }
 
 fn write_text(

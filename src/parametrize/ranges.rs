@@ -28,11 +28,7 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
     if radius.harmonics() > MOST_COUNTED {
         let by_values = is_positive_by_values(radius, &Limits::none());
         if by_values.invariant("nothing limits the values") == Some(true) {
-            return vec![AngleRange {
-                from: ExactAngle::Pi(Rational::zero()),
-                to: ExactAngle::Pi(Rational::from(2)),
-                closed: [true, true],
-            }];
+            return vec![AngleRange::full_circle()];
         }
     }
     let harmonics =
