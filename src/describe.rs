@@ -64,6 +64,20 @@ impl FourierDescription {
         is_full_circle(&self.positive)
     }
 
+    /// Whether r < 0 for some angle: then the ranges in which r > 0 leave a gap, while a zero without a change of sign ends one
+    /// range and begins the next.
+    #[must_use]
+    pub fn has_negative_radius(&self) -> bool {
+        let whole = AngleRange::full_circle();
+        let [Some(first), Some(last)] = [self.positive.first(), self.positive.last()] else {
+            return true;
+        };
+        let mut neighbours = self.positive.windows(2);
+        first.from.compare(&whole.from).is_ne()
+            || last.to.compare(&whole.to).is_ne()
+            || neighbours.any(|pair| pair[0].to.compare(&pair[1].from).is_ne())
+    }
+
     fn of(radius: &FourierRadius, perfect_square: bool) -> Self {
         Self {
             radius: radius.clone(),
@@ -129,7 +143,7 @@ impl Description {
         {
             return Self::of_radius(&radius, limits);
         }
-        let mut description = Self::of_polynomial(curve.polynomial(), None);
+        let mut description = Self::of_polynomial(curve.polynomial());
         let factors = factor_plane(curve.polynomial(), limits)?.factors;
         let described = factors.into_iter().map(|factor| DescribedFactor {
             shape: Form::Curve(
@@ -145,7 +159,7 @@ impl Description {
     /// The description of an implicit curve without its factors and without the Fourier radius that it may come from.
     #[must_use]
     pub fn unfactored_curve(curve: &ImplicitCurve) -> Self {
-        Self::of_polynomial(curve.polynomial(), None)
+        Self::of_polynomial(curve.polynomial())
     }
 
     /// Describes the reduced implicit equation of a Fourier radius.
@@ -153,11 +167,21 @@ impl Description {
     /// # Errors
     /// As [`SquaredForm::new`]; [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
     pub fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Self> {
+        let mut description = Self::unranged_radius(radius)?;
+        limits.check()?;
+        let form = SquaredForm::new(radius)?;
+        description.fourier = Some(FourierDescription::of(radius, form.is_perfect_square()));
+        Ok(description)
+    }
+
+    /// The description of the reduced implicit equation of a Fourier radius, without the radius and the angles at which it is positive.
+    ///
+    /// # Errors
+    /// As [`SquaredForm::new`].
+    pub fn unranged_radius(radius: &FourierRadius) -> Result<Self> {
         let form = SquaredForm::new(radius)?;
         let curve = form.expand();
-        limits.check()?;
-        let fourier = FourierDescription::of(radius, form.is_perfect_square());
-        let mut description = Self::of_polynomial(curve.polynomial(), Some(fourier));
+        let mut description = Self::of_polynomial(curve.polynomial());
         description.factors = Some(vec![DescribedFactor {
             shape: Form::Curve(curve),
             multiplicity: 1,
@@ -171,7 +195,7 @@ impl Description {
         Ok(description)
     }
 
-    fn of_polynomial(f: &PlanePolynomial, fourier: Option<FourierDescription>) -> Self {
+    fn of_polynomial(f: &PlanePolynomial) -> Self {
         let degrees = f.homogeneous_degrees();
         Self {
             degree: f.degree().unwrap_or(0),
@@ -180,7 +204,7 @@ impl Description {
             terms: f.term_count(),
             coefficient_bits: f.coefficient_bits(),
             origin_multiplicity: f.lowest_degree().unwrap_or(0),
-            fourier,
+            fourier: None,
             factors: None,
         }
     }
@@ -256,6 +280,32 @@ mod tests {
         assert_eq!(name(&[5, 1, 0]), ("lemma-6".into(), 0));
         assert_eq!(name(&[3, 2, 0]), ("lemma-4".into(), 1));
         assert_eq!(name(&[2]), ("lines".into(), 0));
+    }
+
+    #[test]
+    fn a_zero_without_a_change_of_sign_is_no_gap() {
+        for (cos, sin, expected) in [
+            (vec![2, 1], vec![], false),
+            // It touches 0 at π, at 0, and at two angles.
+            (vec![1, 1], vec![], false),
+            (vec![1, -1], vec![], false),
+            (vec![1, 0, 1], vec![], false),
+            (vec![1, 2], vec![], true),
+            (vec![0, 1], vec![], true),
+            (vec![0, 0], vec![0, 1], true),
+            (vec![-1, 1], vec![], true),
+            (vec![-2, 1], vec![], true),
+            // (1 + 2 cos θ)² = 3 + 4 cos θ + 2 cos 2θ touches 0 at ±2π/3, (3 + 5 cos θ)² = 43/2 + 30 cos θ + 25/2 cos 2θ at others.
+            (vec![3, 4, 2], vec![], false),
+            (vec![43, 60, 25], vec![], false),
+            (vec![42, 60, 25], vec![], true),
+        ] {
+            let exact = |v: Vec<i64>| v.into_iter().map(Into::into).collect();
+            let radius = FourierRadius::new(exact(cos.clone()), exact(sin));
+            let described = Description::of_radius(&radius, &Limits::none()).unwrap();
+            let fourier = described.fourier.unwrap();
+            assert_eq!(fourier.has_negative_radius(), expected, "{cos:?}");
+        }
     }
 }
 

@@ -235,6 +235,7 @@ fn outside_text(components: &[(ComponentKind, [[f64; 2]; 2])]) -> String {
 pub(super) fn part_text(part: Part) -> &'static str {
     match part {
         Part::Factors => "the factors over Q",
+        Part::PositiveRanges => "the angles with r > 0",
         Part::Topology => "the topology of the curve",
         Part::Genus => "the genus of a factor",
         Part::BeyondCurve => {

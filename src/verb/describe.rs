@@ -129,7 +129,10 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
     let description = work.stage("describe", || match &form {
         Form::Fourier(radius) => {
             work.check_degree(2 * radius.harmonics() + 2)?;
-            Description::of_radius(radius, work.bounds())
+            let whole = radius.clone();
+            let search = move |limits: &Limits| Description::of_radius(&whole, limits);
+            let found = work.unless_limited(Part::PositiveRanges, search)?;
+            found.map_or_else(|| Description::unranged_radius(radius), Ok)
         }
         Form::Curve(curve) => of_curve(curve, work),
         Form::Surface(surface) => of_surface(surface, work),
@@ -137,6 +140,9 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
     })?;
     if description.factors.is_none() {
         facts.push(Fact::Missing(Part::Factors));
+    }
+    if matches!(form, Form::Fourier(_)) && description.fourier.is_none() {
+        facts.push(Fact::Missing(Part::PositiveRanges));
     }
     work.claim(|proof| claim_description(proof, &form, &description, work))?;
     let topology = if options.topology {

@@ -130,6 +130,8 @@ pub enum Remark {
 pub enum Part {
     /// The factors over Q.
     Factors,
+    /// The angles at which a radius is positive.
+    PositiveRanges,
     /// The topology of a plane curve.
     Topology,
     /// The genus of a factor.

@@ -421,3 +421,31 @@ fn what_is_finished_at_a_limit_is_written_and_says_what_is_missing() {
         text.out
     );
 }
+
+/// The equation of a radius is described even if its zeros are not found in time.
+#[test]
+fn a_radius_is_described_without_its_ranges_at_a_limit() {
+    let folder = TempDir::new().unwrap();
+    let radius = "r = 3cos(901t)+sin(803t)+cos(3t)";
+    let arguments = [
+        "describe",
+        radius,
+        "--time-limit",
+        "0.5",
+        "--format",
+        "json",
+    ];
+    let run = run_in(folder.path(), &arguments, "");
+    assert_eq!(run.code, 3, "{}", run.err);
+    assert!(
+        run.err
+            .contains("what is written lacks the angles with r > 0"),
+        "{}",
+        run.err
+    );
+    let document = json(&run.out);
+    assert_eq!(document["degree"], 902);
+    assert_eq!(document["irreducible"], true);
+    let note = "not finished within the limits: the angles with r > 0";
+    assert_eq!(document["notes"], serde_json::json!([note]));
+}
