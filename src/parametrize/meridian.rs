@@ -20,8 +20,8 @@ use crate::shape::ImplicitCurve;
 pub struct MeridianBranch {
     /// The index of the factor to which the branch belongs.
     pub factor: usize,
-    /// The index of the branch among [`SurfaceParametrization::branches`]; `None` for a factor without a closed form, whose
-    /// branches are those of its curve on this meridian.
+    /// The index of the branch among [`SurfaceParametrization::branches`]; `None` for a factor without a closed form, or with one that
+    /// does not hold on this meridian: its branches are those of its curve on this meridian.
     pub branch: Option<usize>,
     /// The ranges of φ in which R is real and finite, of either sign.
     pub real: Vec<AngleRange>,
@@ -43,7 +43,8 @@ impl SurfaceParametrization {
     /// The exact ranges of φ in [0, π] in which the branches are real, for the azimuth of an exact direction `theta`.
     ///
     /// On the meridian each form f_d(sin φ cos θ, sin φ sin θ, cos φ) is a binary form in (cos φ, sin φ). So the problem is the
-    /// one of the plane, and Lemmas 2 to 6 give the ranges.
+    /// one of the plane, and Lemmas 2 to 6 give the ranges. Where the first part of a factor vanishes on the whole meridian, its
+    /// formulas do not hold there, and the branches are those of its curve on this meridian.
     ///
     /// # Errors
     /// Those of [`parametrize`] for factors without a closed form.
@@ -54,7 +55,8 @@ impl SurfaceParametrization {
             limits.check()?;
             let first = next;
             next += self.branches.iter().filter(|b| b.factor == index).count();
-            if let Some(found) = factor.closed_ranges(theta) {
+            let vanishes = factor.first_part_vanishes(theta);
+            if let Some(found) = factor.closed_ranges(theta).filter(|_| !vanishes) {
                 let known = found.into_iter().enumerate();
                 result.extend(known.map(|(i, [real, positive])| MeridianBranch {
                     factor: index,
@@ -62,7 +64,7 @@ impl SurfaceParametrization {
                     real: upper_half(real),
                     positive: upper_half(positive),
                 }));
-            } else if factor.is_numeric() {
+            } else if !factor.is_cone() {
                 let ([a, b], c) = theta.over_common_denominator();
                 let section = factor.polynomial.on_meridian(&a, &b, &c);
                 if section.degree().is_none_or(|degree| degree == 0) {
@@ -98,6 +100,13 @@ impl SurfaceParametrization {
 }
 
 impl SurfaceFactor {
+    /// Whether the part of the highest degree is 0 on a whole meridian.
+    fn first_part_vanishes(&self, theta: &Direction) -> bool {
+        let first = self.parts.first().map(std::slice::from_ref);
+        let on_meridian = Meridian::new(theta).forms(first.unwrap_or_default());
+        on_meridian.iter().any(BinaryForm::is_zero)
+    }
+
     /// The ranges [real, positive] of every branch for φ in the full circle; `None` if there is no closed form.
     fn closed_ranges(&self, theta: &Direction) -> Option<Vec<[Vec<AngleRange>; 2]>> {
         let solved = self.solved.as_ref()?;

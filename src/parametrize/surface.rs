@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
 use crate::limits::Limits;
-use crate::poly::{SpacePolynomial, TernaryForm};
+use crate::poly::{HomogeneousPolynomial, SpacePolynomial, TernaryForm};
 use crate::shape::{Form, ImplicitSurface};
 
 /// A surface in spherical form: cones with their apex at the origin, and branches R(θ, φ) with
@@ -220,9 +220,20 @@ fn add_branches(
         return Ok(());
     };
     result.method = SurfaceMethod::Lemma(degree + 6);
+    // On unit vectors a power of ρ is constant.
+    let first_may_vanish = factor.parts[0].on_unit_vectors().degree() > 0;
+    if first_may_vanish && degree > 1 {
+        result.notes.push(format!(
+            "where the denominators of factor {index} are 0, {} is a root of a lower degree, which the formulas do not give: it is certified on a meridian, in a direction, or by sampling",
+            power("R", factor.step)
+        ));
+    }
     for (root, rule) in &solved.roots {
         let even = k.is_multiple_of(2);
-        let condition = condition(*rule, even, &power("R", factor.step));
+        let mut condition = condition(*rule, even, &power("R", factor.step));
+        if first_may_vanish && !matches!(rule, Rule::Linear) {
+            condition = condition.replacen("where ", "where the denominator is not 0 and ", 1);
+        }
         let branches = branches_of(root, k).into_iter();
         let mut real_where = vec![rule.condition(&solved.critical)];
         if even {

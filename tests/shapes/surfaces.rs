@@ -173,19 +173,32 @@ fn sampled_counts_are_sturms() {
 /// On a meridian the exact ranges of φ say the same as the certified roots in its directions.
 #[test]
 fn ranges_on_a_meridian_are_those_of_the_roots() {
-    for text in [
-        "x^2 + y^2 + z^2 - 2x - 2y - 2z + 2",
-        "x^3 + y^3 + z^3 + 1 - (x+y+z+1)^3",
-        "x^3 + 2*y^3 - z^3 + x*y - z^2 + 3*x - y + 1",
-        "x^4 + y^4 + z^4 - x*y*z + 2*x^2 - y - 1",
-        "(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3",
+    for (text, degrees) in [
+        ("x^2 + y^2 + z^2 - 2x - 2y - 2z + 2", 37),
+        ("x^3 + y^3 + z^3 + 1 - (x+y+z+1)^3", 37),
+        ("x^3 + 2*y^3 - z^3 + x*y - z^2 + 3*x - y + 1", 37),
+        ("x^4 + y^4 + z^4 - x*y*z + 2*x^2 - y - 1", 37),
+        ("(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3", 37),
+        // The first part is 0 on the meridian.
+        ("27*x*y^2 + x*z + x + y - 1", 90),
+        ("x*z + y - 1", 90),
+        ("x*z^2 + 12*y^2 + 6*y*z + y + 2*z - 1", 90),
+        ("4*x^3 + 8*x^2*z + x - 3*y^2 - z + 4", 90),
+        (
+            "-3*x^3*y - 2*x - 2*y^2*z - y^2 - 4*y*z^2 - 6*y*z - 3*y - 9*z^2 - z + 4",
+            0,
+        ),
+        (
+            "-4*x^3*y^3*z^2 + 4*x*y^2*z + 2*x*y + 2*x*z^3 - 6*y^2*z^4 - 2*y*z^3 + 4",
+            0,
+        ),
     ] {
         let f = space(text);
         let (surface, by_degree) = (spherical(&f), SpacePolynomial::from(&f));
-        let theta = Direction::from_degrees(&Rational::from(37));
+        let theta = Direction::from_degrees(&Rational::from(degrees));
         let branches = surface.on_meridian(&theta, &Limits::none()).unwrap();
         for k in 1..60 {
-            let phi = Direction::from_degrees(&Rational::from(3 * k));
+            let phi = Direction::from_degrees(&Rational::from(3 * k + 1));
             let nominal = phi.theta();
             let direction = SpaceDirection::new(theta.clone(), phi);
             let points = points(&by_degree, &direction).unwrap();
