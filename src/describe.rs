@@ -3,11 +3,12 @@
 use malachite::base::num::arithmetic::traits::Gcd;
 
 use crate::error::{Invariant, Result};
+use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::limits::Limits;
 use crate::parametrize::{AngleRange, born_of_radius, is_full_circle, positive_ranges};
-use crate::poly::{PlanePolynomial, total_degree};
+use crate::poly::total_degree;
 use crate::shape::{Form, FourierRadius, HarmonicSurface, ImplicitCurve, ImplicitSurface};
 use crate::sphere::{Positivity, positivity};
 
@@ -17,6 +18,8 @@ use crate::sphere::{Positivity, positivity};
 pub struct Description {
     /// The total degree of the (reduced, primitive) polynomial.
     pub degree: usize,
+    /// The point that coordinates are relative to.
+    pub center: Vec<Rational>,
     /// The degrees of its homogeneous parts, descending.
     pub homogeneous_degrees: Vec<usize>,
     /// The number of non-zero terms.
@@ -143,7 +146,7 @@ impl Description {
         {
             return Self::of_radius(&radius, limits);
         }
-        let mut description = Self::of_polynomial(curve.polynomial());
+        let mut description = Self::unfactored_curve(curve);
         let factors = factor_plane(curve.polynomial(), limits)?.factors;
         let described = factors.into_iter().map(|factor| DescribedFactor {
             shape: Form::Curve(
@@ -159,7 +162,19 @@ impl Description {
     /// The description of an implicit curve without its factors and without the Fourier radius that it may come from.
     #[must_use]
     pub fn unfactored_curve(curve: &ImplicitCurve) -> Self {
-        Self::of_polynomial(curve.polynomial())
+        let f = curve.polynomial();
+        let degrees = f.homogeneous_degrees();
+        Self {
+            degree: f.degree().unwrap_or(0),
+            center: curve.center().to_vec(),
+            method: Method::from_degrees(&degrees, 2),
+            homogeneous_degrees: degrees,
+            terms: f.term_count(),
+            coefficient_bits: f.coefficient_bits(),
+            origin_multiplicity: f.lowest_degree().unwrap_or(0),
+            fourier: None,
+            factors: None,
+        }
     }
 
     /// Describes the reduced implicit equation of a Fourier radius.
@@ -181,7 +196,7 @@ impl Description {
     pub fn unranged_radius(radius: &FourierRadius) -> Result<Self> {
         let form = SquaredForm::new(radius)?;
         let curve = form.expand();
-        let mut description = Self::of_polynomial(curve.polynomial());
+        let mut description = Self::unfactored_curve(&curve);
         description.factors = Some(vec![DescribedFactor {
             shape: Form::Curve(curve),
             multiplicity: 1,
@@ -193,20 +208,6 @@ impl Description {
             },
         }]);
         Ok(description)
-    }
-
-    fn of_polynomial(f: &PlanePolynomial) -> Self {
-        let degrees = f.homogeneous_degrees();
-        Self {
-            degree: f.degree().unwrap_or(0),
-            method: Method::from_degrees(&degrees, 2),
-            homogeneous_degrees: degrees,
-            terms: f.term_count(),
-            coefficient_bits: f.coefficient_bits(),
-            origin_multiplicity: f.lowest_degree().unwrap_or(0),
-            fourier: None,
-            factors: None,
-        }
     }
 
     /// Describes a surface.
@@ -241,6 +242,7 @@ impl Description {
         degrees.dedup();
         Self {
             degree: degrees.first().copied().unwrap_or(0),
+            center: surface.center().to_vec(),
             method: Method::from_degrees(&degrees, 7),
             origin_multiplicity: degrees.last().copied().unwrap_or(0),
             homogeneous_degrees: degrees,

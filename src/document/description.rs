@@ -11,7 +11,7 @@ use super::json::{parsed, value_of, write_value};
 use super::topology::{
     NO_GENUS, genus_text, notes as topology_notes, topology_json, write_topology,
 };
-use super::{Format, Kind, SCHEMA, write_form};
+use super::{Format, Kind, SCHEMA, center_comment, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::error::Result;
 use crate::notation::polynomial_text;
@@ -26,6 +26,8 @@ struct DescriptionDocument<'a> {
     schema: &'static str,
     kind: &'static str,
     degree: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    center: Option<Vec<String>>,
     homogeneous_degrees: &'a [usize],
     terms: usize,
     coefficient_bits: u64,
@@ -222,6 +224,8 @@ fn document<'a>(
         schema: SCHEMA,
         kind: "description",
         degree: d.degree,
+        center: center_comment(&d.center)
+            .map(|_| d.center.iter().map(ToString::to_string).collect()),
         homogeneous_degrees: &d.homogeneous_degrees,
         terms: d.terms,
         coefficient_bits: d.coefficient_bits,
@@ -291,6 +295,9 @@ fn write_text(
         .iter()
         .map(ToString::to_string)
         .collect();
+    if let Some(center) = &d.center {
+        writeln!(out, "center: {}", center.join(", "))?;
+    }
     writeln!(out, "degree: {}", d.degree)?;
     writeln!(out, "homogeneous parts: {}", degrees.join(", "))?;
     writeln!(out, "terms: {}", d.terms)?;
