@@ -85,7 +85,13 @@ pub(super) fn comment(
         Rationality::HalfAngle => return None,
         Rationality::Parametrized(curve) => {
             let PlaneFormulas { x, y } = PlaneFormulas::of_curve(curve, center, format);
-            return Some(format!("factor {factor} is rational: x = {x}, y = {y}"));
+            let from = match super::center_comment(center) {
+                Some(_) => ", in original coordinates",
+                None => "",
+            };
+            return Some(format!(
+                "factor {factor} is rational{from}: x = {x}, y = {y}"
+            ));
         }
         Rationality::NoRationalPoint { .. } => {
             "has genus 0, but no rational parametrization over Q".into()
