@@ -45,8 +45,12 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::RelativeTo(center) => {
             format!("coordinates are relative to the center ({})", listed(center))
         }
-        Remark::Expanded(center) => format!(
-            "in original coordinates the terms of the polynomial cancel: doubles will mostly fail to evaluate it, even far from its zeros; with --coordinates center the polynomial is evaluated at points minus the center ({})",
+        Remark::Expanded { center, digits } => format!(
+            "in original coordinates the terms of the polynomial cancel: {}; with --coordinates center the polynomial is evaluated at points minus the center ({})",
+            match digits {
+                0..13 => format!("doubles lose ≈ {digits} of their 16 digits near its zeros"),
+                _ => "doubles will mostly fail to evaluate it, even far from its zeros".into(),
+            },
             listed(center)
         ),
         Remark::WholeLine { theta, phi: None } => format!(

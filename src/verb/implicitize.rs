@@ -1,5 +1,6 @@
 //! The verb `implicitize`: Theorems 1 to 4 for parametric forms, and canonical equations for implicit ones.
 
+use super::cancelled::cancelled_digits;
 use super::claims::claim_equation;
 use super::equation::{
     check_curve, curve_of_superquadric, squared_harmonics, surface_of_superquadric,
@@ -16,6 +17,7 @@ use crate::implicitize::{
 };
 use crate::limits::Limits;
 use crate::options::options;
+use crate::poly::SparsePolynomial;
 use crate::shape::{
     Form, FourierRadius, HarmonicSurface, ImplicitSurface, ParametricCurve, Patch, PlaneCurve,
     SpaceCurve,
@@ -395,23 +397,35 @@ fn beyond<const N: usize>(curve: &ParametricCurve<N>, image: RealImage<N>) -> Be
 
 /// The same form, with its polynomial expanded about the origin.
 fn in_original_coordinates(form: Form, work: &Work) -> Result<Form> {
+    /// Fewer digits are not worth a remark.
+    const FEW_DIGITS: u32 = 3;
+    let terms = |form: &Form| match form {
+        Form::Curve(curve) => SparsePolynomial::from(curve.polynomial()),
+        Form::Surface(surface) => surface.polynomial().clone(),
+        _ => SparsePolynomial::zero(),
+    };
     let center = match &form {
-        Form::Curve(curve) => &curve.center()[..],
-        Form::Surface(surface) => &surface.center()[..],
-        _ => &[],
+        Form::Curve(curve) => curve.center().to_vec(),
+        Form::Surface(surface) => surface.center().to_vec(),
+        _ => Vec::new(),
     };
     if center.iter().all(Rational::is_zero) {
         return Ok(form);
     }
-    work.remark(Remark::Expanded(center.to_vec()));
-    Ok(match form {
+    let about = terms(&form);
+    let moved = match form {
         Form::Curve(curve) => Form::Curve(curve.in_original_coordinates()),
         Form::Surface(surface) => {
             let moved = surface.in_original_coordinates(work.bounds())?;
             Form::Surface(moved.into_owned())
         }
         other => other,
-    })
+    };
+    let digits = cancelled_digits(&about, &terms(&moved), &center);
+    if digits >= FEW_DIGITS {
+        work.remark(Remark::Expanded { center, digits });
+    }
+    Ok(moved)
 }
 
 fn scaled(form: Form, scale: CoefficientScale) -> Form {

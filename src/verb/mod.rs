@@ -32,6 +32,7 @@
 
 mod against;
 mod arcs;
+mod cancelled;
 mod check;
 #[cfg(feature = "pictures")]
 mod check_chart;

@@ -47,9 +47,13 @@ pub enum Remark {
     PerfectSquare,
     /// Coordinates are relative to this point.
     RelativeTo(Vec<Rational>),
-    /// The polynomial of a form with this center is expanded in the coordinates of the contour, where it cannot be evaluated in
-    /// doubles.
-    Expanded(Vec<Rational>),
+    /// The polynomial of a form with this center is expanded in original coordinates, where its terms cancel.
+    Expanded {
+        /// The center.
+        center: Vec<Rational>,
+        /// About how many decimal digits cancel near the form.
+        digits: u32,
+    },
     /// A whole line through the origin belongs to the form; it has no rows.
     WholeLine {
         /// The nominal angle θ.
