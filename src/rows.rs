@@ -6,7 +6,7 @@
 use std::io::{BufRead, Read};
 
 use crate::error::{Error, Result};
-use crate::exact::double_literal;
+use crate::exact::{Rational, double_literal};
 
 /// The largest length of a row, in bytes.
 const MAX_ROW_BYTES: u64 = 1 << 16;
@@ -21,6 +21,7 @@ pub(crate) struct RowReader<'a, R> {
     row: usize,
     may_be_header: bool,
     header: Option<String>,
+    center: Option<(usize, String)>,
     line: Vec<u8>,
 }
 
@@ -34,6 +35,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
             row: 0,
             may_be_header: true,
             header: None,
+            center: None,
             line: Vec::new(),
         }
     }
@@ -57,9 +59,13 @@ impl<'a, R: BufRead> RowReader<'a, R> {
                 return Ok(None);
             }
             let row = self.text()?;
+            let center = stated_center(row).filter(|_| self.may_be_header);
             let is_content = !(row.is_empty() || row.starts_with('#'));
             let is_header = is_content && self.may_be_header && is_header(row);
             let header = is_header.then(|| row.to_owned());
+            if let Some(center) = center {
+                self.center = Some((self.row, center));
+            }
             if is_content {
                 self.may_be_header = false;
                 if !is_header {
@@ -74,6 +80,11 @@ impl<'a, R: BufRead> RowReader<'a, R> {
     /// The first row, if it was a header; known with the first row of numbers.
     pub(crate) fn header(&self) -> Option<&str> {
         self.header.as_deref()
+    }
+
+    /// The center that a comment before the first row states, and the number of its row; known with the first row of numbers.
+    pub(crate) fn center(&self) -> Option<&(usize, String)> {
+        self.center.as_ref()
     }
 
     fn text(&self) -> Result<&str> {
@@ -99,6 +110,23 @@ impl<'a, R: BufRead> RowReader<'a, R> {
     pub(crate) fn error(&self, row: usize, message: impl Into<String>) -> Error {
         row_error(self.place, row, message)
     }
+}
+
+/// The point of a comment such as `# center 1 2 1/3`, which tables of points have if their coordinates are relative to it; `None` for
+/// the origin.
+fn stated_center(comment: &str) -> Option<String> {
+    let rest = comment
+        .strip_prefix('#')?
+        .trim_start()
+        .strip_prefix("center")?;
+    let numbers: Vec<&str> = rest
+        .split([':', ',', ' '])
+        .filter(|word| !word.is_empty())
+        .collect();
+    let exact = numbers.iter().map(|number| number.parse::<Rational>().ok());
+    let exact: Vec<Rational> = exact.collect::<Option<_>>()?;
+    let is_point = matches!(exact.len(), 2 | 3) && !exact.iter().all(Rational::is_zero);
+    is_point.then(|| numbers.join(", "))
 }
 
 /// The error for a wrong row of the source `place`.
