@@ -38,7 +38,7 @@ pub(super) fn form(
     };
     if coordinates::are_parametric(equations) {
         if let Some((at, _)) = center {
-            let message = "a center belongs to an implicit curve or a Fourier radius";
+            let message = "a center belongs to an equation of a curve or a surface, a Fourier radius or a harmonic surface";
             return Err(cx.source.error(at, message));
         }
         return coordinates::parametric(cx, equations);
@@ -66,7 +66,7 @@ pub(super) fn form(
                 polar::equation(cx, formula, k)?
             } else if polar::is_beyond_series(cx, formula)? {
                 if let Some((at, _)) = center {
-                    let message = "a center belongs to an implicit curve or a Fourier radius";
+                    let message = "a center belongs to an equation of a curve or a surface, a Fourier radius or a harmonic surface";
                     return Err(cx.source.error(at, message));
                 }
                 return polar::curve(cx, equations, formula, angle);

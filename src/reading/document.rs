@@ -139,6 +139,11 @@ fn read_intersection(
     object: &Map<String, Value>,
     source_name: &str,
 ) -> Result<Form> {
+    if let Some((node, _)) = root.center(object)? {
+        return Err(
+            node.wrong("a center belongs to each of the surfaces, not to what they have in common")
+        );
+    }
     let list = root.field(object, "surfaces")?;
     let entries = list.array()?;
     if entries.len() < 2 {

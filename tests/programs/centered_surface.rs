@@ -219,3 +219,132 @@ fn a_latex_file_has_a_center() {
     let back = text_of(folder, "implicitize quartic.tex");
     assert_eq!(back, text_of(folder, "implicitize quartic.txt"));
 }
+
+#[test]
+fn a_description_states_its_center() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    for (text, center) in [
+        (QUARTIC, "1, 2, -3/2"),
+        ("# center: 1, 2\nx^2/4 + y^2 = 1\n", "1, 2"),
+        ("# center: 1, 2\nr = 2 + cos(3t)\n", "1, 2"),
+        (HARMONIC, "1, 2, 3"),
+    ] {
+        std::fs::write(folder.join("form.txt"), text).unwrap();
+        let described = text_of(folder, "describe form.txt");
+        let first = format!("center: {center}\n");
+        assert!(described.starts_with(&first), "{described}");
+        let described = json(&text_of(folder, "describe form.txt --format json"));
+        let of_radius = &described["spherical"]["center"];
+        let found = if of_radius.is_null() {
+            &described["center"]
+        } else {
+            of_radius
+        };
+        assert_eq!(strings(found).join(", "), center);
+    }
+    std::fs::write(folder.join("form.txt"), "# center: 0, 0\nx^2/4 + y^2 = 1\n").unwrap();
+    assert!(text_of(folder, "describe form.txt").starts_with("degree: 2\n"));
+}
+
+/// Points about a center are not taken for points in original coordinates.
+#[test]
+fn points_about_a_center_are_not_inspected() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    for form in [QUARTIC, "# center: 1, 2\nx^2/4 + y^2 = 1\n"] {
+        std::fs::write(folder.join("form.txt"), form).unwrap();
+        let inspect = [
+            "inspect",
+            "form.txt",
+            "--tolerance",
+            "1e-9",
+            "--points",
+            "points.csv",
+        ];
+        text_of(
+            folder,
+            "sample form.txt --directions 5 -o points.csv --quiet",
+        );
+        let refused = run_in(folder, &inspect, "");
+        assert_eq!(refused.code, 2, "{}", refused.out);
+        let said = "points.csv, row 1: these points are relative to the center (1, 2";
+        assert!(refused.err.contains(said), "{}", refused.err);
+        let original =
+            "sample form.txt --directions 5 -o points.csv --quiet --coordinates original";
+        text_of(folder, original);
+        let found = run_in(folder, &inspect, "");
+        assert_eq!(found.code, 0, "{}{}", found.out, found.err);
+    }
+    // Another comment about a center has no meaning.
+    let points = "# center of mass: 3 g\n# center 0 0\nx,y\n3,2\n";
+    std::fs::write(folder.join("points.csv"), points).unwrap();
+    let inspect = [
+        "inspect",
+        "form.txt",
+        "--tolerance",
+        "1e-9",
+        "--points",
+        "points.csv",
+    ];
+    assert_eq!(run_in(folder, &inspect, "").code, 0);
+}
+
+/// How much the terms cancel depends on the form.
+#[test]
+fn a_remark_about_original_coordinates_is_true() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    for (text, expected) in [
+        ("# center: 1, 2, 3\nx^2 + y^2 + z^2 = 4\n", None),
+        ("# center: 1, 0, 3\nx - 2z = 0\n", None),
+        (
+            "# center: 1000000, 0\nx^2 + y^2 = 1\n",
+            Some("doubles lose ≈ 12 of their 16 digits near its zeros"),
+        ),
+        (
+            "# center: 100, 0\nr = 2 + cos(9t)\n",
+            Some("doubles will mostly fail to evaluate it"),
+        ),
+    ] {
+        std::fs::write(folder.join("form.txt"), text).unwrap();
+        let command = ["implicitize", "form.txt", "--coordinates", "original"];
+        let found = run_in(folder, &command, "");
+        match expected {
+            Some(expected) => assert!(found.err.contains(expected), "{text}: {}", found.err),
+            None => assert_eq!(found.err, "", "{text}"),
+        }
+    }
+}
+
+#[test]
+fn a_center_of_an_intersection_is_refused() {
+    let folder = harmonic();
+    let document = std::fs::read_to_string(folder.path().join("about.json")).unwrap();
+    let both = format!(
+        r#"{{"schema":"stellate/1","kind":"intersection","center":["1","2","3"],"surfaces":[{document},{document}]}}"#
+    );
+    let found = run_in(folder.path(), &["parametrize", "-"], &both);
+    assert_eq!(found.code, 2, "{}", found.out);
+    assert!(
+        found
+            .err
+            .contains("a center belongs to each of the surfaces"),
+        "{}",
+        found.err
+    );
+}
+
+#[test]
+fn a_rational_parametrization_is_in_original_coordinates() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    std::fs::write(
+        folder.join("node.txt"),
+        "# center: 1, 2\ny^2 = x^2*(x + 1)\n",
+    )
+    .unwrap();
+    let found = text_of(folder, "parametrize node.txt");
+    let line = "# factor 0 is rational, in original coordinates: x = t^2, y = t^3 - t + 2\n";
+    assert!(found.contains(line), "{found}");
+}
