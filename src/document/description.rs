@@ -11,7 +11,7 @@ use super::json::{parsed, value_of, write_value};
 use super::topology::{
     NO_GENUS, genus_text, notes as topology_notes, topology_json, write_topology,
 };
-use super::{Format, Kind, SCHEMA, center_comment, write_form};
+use super::{Format, Kind, SCHEMA, center_comment, center_line, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::error::Result;
 use crate::notation::polynomial_text;
@@ -28,6 +28,8 @@ struct DescriptionDocument<'a> {
     degree: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     center: Option<Vec<String>>,
+    #[serde(skip)]
+    center_line: Option<String>,
     homogeneous_degrees: &'a [usize],
     terms: usize,
     coefficient_bits: u64,
@@ -226,6 +228,7 @@ fn document<'a>(
         degree: d.degree,
         center: center_comment(&d.center)
             .map(|_| d.center.iter().map(ToString::to_string).collect()),
+        center_line: center_line(&d.center),
         homogeneous_degrees: &d.homogeneous_degrees,
         terms: d.terms,
         coefficient_bits: d.coefficient_bits,
@@ -295,8 +298,8 @@ fn write_text(
         .iter()
         .map(ToString::to_string)
         .collect();
-    if let Some(center) = &d.center {
-        writeln!(out, "center: {}", center.join(", "))?;
+    if let Some(center) = &d.center_line {
+        writeln!(out, "{center}")?;
     }
     writeln!(out, "degree: {}", d.degree)?;
     writeln!(out, "homogeneous parts: {}", degrees.join(", "))?;

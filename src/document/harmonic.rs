@@ -8,7 +8,7 @@ use super::facts::Annotations;
 use super::fourier::with_comments;
 use super::json::write_value;
 use super::remark::rounding_note;
-use super::{Format, Kind, SCHEMA, center_comment, write_lines};
+use super::{Format, Kind, SCHEMA, center_line, write_lines};
 use crate::describe::HarmonicDescription;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -173,7 +173,7 @@ pub(super) fn write_harmonic_description(
         Some(false) => "no",
         None => "unknown",
     };
-    if let Some(center) = center_comment(d.surface.center()) {
+    if let Some(center) = center_line(d.surface.center()) {
         writeln!(out, "{center}")?;
     }
     writeln!(out, "harmonic degree: {}", d.surface.degree())?;

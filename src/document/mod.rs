@@ -120,6 +120,18 @@ fn center_comment(center: &[Rational]) -> Option<String> {
     (!is_origin).then(|| format!("center: {}", remark::listed(center)))
 }
 
+/// The line about the center in a description, with its doubles if its fractions are long; `None` for the origin.
+fn center_line(center: &[Rational]) -> Option<String> {
+    const LONG: usize = 12;
+    let exact = center_comment(center)?;
+    let is_long = center.iter().any(|c| c.to_string().len() > LONG);
+    let near: Vec<String> = center.iter().map(|c| format!("{:?}", c.to_f64())).collect();
+    Some(match is_long {
+        true => format!("{exact} (≈ {})", near.join(", ")),
+        false => exact,
+    })
+}
+
 /// Writes lines.
 fn write_lines(lines: impl IntoIterator<Item = String>, out: &mut dyn io::Write) -> Result<()> {
     for line in lines {
