@@ -61,18 +61,20 @@ impl NearPolygon {
             return None;
         }
         let points = &self.traced.points;
-        let next = points.iter().cycle().skip(1);
-        let crossed = points.iter().zip(next).filter(|(a, b)| {
+        let is_crossed = |a: [f64; 2], b: [f64; 2]| {
             if (a[1] <= p[1]) == (b[1] <= p[1]) {
                 return false;
             }
-            let side = orientation(**a, **b, p);
+            let side = orientation(a, b, p);
             side == if a[1] <= p[1] {
                 Ordering::Greater
             } else {
                 Ordering::Less
             }
-        });
+        };
+        let edges = points.windows(2).map(|edge| (edge[0], edge[1]));
+        let closing = points.last().copied().zip(points.first().copied());
+        let crossed = edges.chain(closing).filter(|&(a, b)| is_crossed(a, b));
         Some(crossed.count() % 2 == 1)
     }
 }
