@@ -102,9 +102,9 @@ impl SurfaceParametrization {
 impl SurfaceFactor {
     /// Whether the part of the highest degree is 0 on a whole meridian.
     fn first_part_vanishes(&self, theta: &Direction) -> bool {
-        let first = self.parts.first().map(std::slice::from_ref);
-        let on_meridian = Meridian::new(theta).forms(first.unwrap_or_default());
-        on_meridian.iter().any(BinaryForm::is_zero)
+        let ([a, b], c) = theta.over_common_denominator();
+        let first = self.parts.first();
+        first.is_some_and(|first| first.on_meridian(&a, &b, &c).is_zero())
     }
 
     /// The ranges [real, positive] of every branch for φ in the full circle; `None` if there is no closed form.

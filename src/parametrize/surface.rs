@@ -220,20 +220,16 @@ fn add_branches(
         return Ok(());
     };
     result.method = SurfaceMethod::Lemma(degree + 6);
-    // On unit vectors a power of ρ is constant.
-    let first_may_vanish = factor.parts[0].on_unit_vectors().degree() > 0;
-    if first_may_vanish && degree > 1 {
+    let may_vanish = may_vanish(&factor.parts[0]);
+    if may_vanish && degree > 1 {
         result.notes.push(format!(
-            "where the denominators of factor {index} are 0, {} is a root of a lower degree, which the formulas do not give: it is certified on a meridian, in a direction, or by sampling",
+            "where the denominator of the formulas of factor {index} is 0, {} is a root of a lower degree, which they give at most as a limit: it is certified on a meridian, in a direction, or by sampling",
             power("R", factor.step)
         ));
     }
     for (root, rule) in &solved.roots {
         let even = k.is_multiple_of(2);
-        let mut condition = condition(*rule, even, &power("R", factor.step));
-        if first_may_vanish && !matches!(rule, Rule::Linear) {
-            condition = condition.replacen("where ", "where the denominator is not 0 and ", 1);
-        }
+        let condition = condition(*rule, may_vanish, even, &power("R", factor.step));
         let branches = branches_of(root, k).into_iter();
         let mut real_where = vec![rule.condition(&solved.critical)];
         if even {
@@ -258,26 +254,55 @@ fn power(name: &str, k: usize) -> String {
     }
 }
 
-/// The condition under which a formula holds, in words; D stands for the discriminant.
-fn condition(rule: Rule, even: bool, power: &str) -> String {
-    let real = match rule {
-        Rule::Linear => "where the denominator is not 0",
-        Rule::Quadratic(_) => "where D >= 0",
-        Rule::CubicOne => "where D <= 0: the only real root",
-        Rule::CubicThree(0) => "where D >= 0: the first of three real roots",
-        Rule::CubicThree(1) => "where D >= 0: the second of three real roots",
-        Rule::CubicThree(_) => "where D >= 0: the third of three real roots",
-        Rule::Quartic { cosine: true, .. } => "where all four roots are real",
-        Rule::Quartic { .. } => {
-            "where D <= 0 and the inner square root is real: one of two real roots"
-        }
-        Rule::Biquadratic(_) => {
-            "where the depressed quartic has no linear term and not all roots are real"
-        }
+/// Whether a form may have a zero on unit vectors. It has none if it is a power of ρ, or if its terms are squares with coefficients
+/// of one sign and those of x, y and z are among them.
+fn may_vanish(form: &TernaryForm) -> bool {
+    let form = form.on_unit_vectors();
+    let terms = form.monomials();
+    let is_square = |e: &[usize; 3]| e.iter().all(|k| k.is_multiple_of(2));
+    let is_positive = terms.first().is_some_and(|(_, c)| **c > 0);
+    let is_definite = terms
+        .iter()
+        .all(|(e, c)| is_square(e) && (**c > 0) == is_positive);
+    let powers = terms.iter().filter(|(e, _)| e.contains(&form.degree()));
+    !(form.degree() == 0 || is_definite && powers.count() == 3)
+}
+
+/// The condition under which a formula holds, in words; D stands for the discriminant, and `may_vanish` says whether the denominator
+/// may be 0.
+fn condition(rule: Rule, may_vanish: bool, even: bool, power: &str) -> String {
+    let (condition, root) = match rule {
+        Rule::Linear => ("", ""),
+        Rule::Quadratic(_) => ("D >= 0", ""),
+        Rule::CubicOne => ("D <= 0", ": the only real root"),
+        Rule::CubicThree(0) => ("D >= 0", ": the first of three real roots"),
+        Rule::CubicThree(1) => ("D >= 0", ": the second of three real roots"),
+        Rule::CubicThree(_) => ("D >= 0", ": the third of three real roots"),
+        Rule::Quartic { cosine: true, .. } => ("all four roots are real", ""),
+        Rule::Quartic { .. } => (
+            "D <= 0 and the inner square root is real",
+            ": one of two real roots",
+        ),
+        Rule::Biquadratic(_) => (
+            "the depressed quartic has no linear term and not all roots are real",
+            "",
+        ),
     };
-    if even {
-        format!("{real}, and {power} >= 0")
+    let denominator = if may_vanish {
+        "the denominator is not 0"
     } else {
-        real.into()
+        ""
+    };
+    let all: Vec<&str> = [denominator, condition]
+        .into_iter()
+        .filter(|text| !text.is_empty())
+        .collect();
+    let real = format!("{}{root}", all.join(" and "));
+    let of_power = format!("{power} >= 0");
+    match (real.is_empty(), even) {
+        (true, true) => format!("where {of_power}"),
+        (true, false) => "everywhere".into(),
+        (false, true) => format!("where {real}, and {of_power}"),
+        (false, false) => format!("where {real}"),
     }
 }
