@@ -11,7 +11,7 @@ use super::inverse::{Inverse, invert};
 use super::isolated::isolated;
 use super::isolated_point::Isolated;
 use super::symmetric::Rows;
-use super::tracing::{common_numerator, tracing_index};
+use super::tracing::{common_numerator, tracing_index_bound};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
@@ -124,17 +124,21 @@ pub(crate) fn traced_once<const N: usize>(
     coordinates: &[RationalFunction; N],
     limits: &Limits,
 ) -> Result<Option<[RationalFunction; N]>> {
-    if tracing_index(coordinates, limits)? % 2 == 1 {
+    if tracing_index_bound(coordinates) == 1 {
         return Ok(None);
     }
     let common = common_numerator(coordinates, limits)?;
     let generator = generator(&common);
     let m =
         generator.invariant("two coefficients of the common numerator have no constant quotient");
-    if counts_by_value(&m, limits)?.contains(&0) {
+    // Its degree is the tracing index.
+    if m.degree() % 2 == 1 || counts_by_value(&m, limits)?.contains(&0) {
         return Ok(None);
     }
-    in_terms_of(coordinates, &m, limits)
+    let once = in_terms_of(coordinates, &m, limits)?;
+    Ok(Some(once.invariant(
+        "the coordinates are functions of what generates the field of all functions of the point",
+    )))
 }
 
 fn positive(counts: BTreeSet<usize>) -> Vec<usize> {

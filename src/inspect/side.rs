@@ -32,7 +32,7 @@ impl Sides {
         Ok(Self::Closed(Box::new(Winding::of_series(&series, limits)?)))
     }
 
-    /// The sides of a parametric curve; `None` if it is not closed, or if it is too much work to find how it is traced.
+    /// The sides of a parametric curve; `None` if it is not closed, or if it is too much work to find around which points it winds.
     pub(crate) fn of_curve(curve: &PlaneCurve, limits: &Limits) -> Result<Option<Self>> {
         if !Winding::is_closed(curve) {
             return Ok(None);

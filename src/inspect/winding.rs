@@ -49,8 +49,10 @@ impl Winding {
 
     /// The winding numbers of the curve of a series.
     ///
-    /// A series without a common divisor of its harmonics traces its curve once, or there and back: a parameter that traces it
-    /// once has the same poles, so that it is a multiple of the angle or a polynomial in the cosine of an angle.
+    /// A series without a common divisor of its harmonics traces its curve an odd number of times, or there and back. For as a
+    /// function of a parameter that traces the curve once it has its poles where the series has them, at the two ends of the
+    /// imaginary angle: the parameter is a multiple of the angle, if it has both poles, or a real trigonometric polynomial, if it
+    /// has one, which comes back to where it began.
     pub(super) fn of_series(series: &EllipticSeries, limits: &Limits) -> Result<Self> {
         let once = series.traced_once();
         let series = once.as_ref().unwrap_or(series);
