@@ -49,7 +49,7 @@ impl Reference {
                 "the radius was taken at the angle in degrees, where radians are meant".into(),
             form: mapped(points, |point| out_of_degrees(radius, point)),
         }));
-        // Points near the largest double leave the doubles.
+        // What leads to no point, or beyond the doubles, is not the mistake.
         all.retain(|mistake| {
             let mut coordinates = mistake.form.iter().flat_map(|point| point.position);
             coordinates.all(f64::is_finite)
@@ -80,18 +80,16 @@ fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
             .filter(|ratio| (*ratio - factor).abs() <= NEARLY * (factor - 1.0).abs());
         2 * near.count() >= ratios.len()
     };
-    let proposed: Vec<f64> = ratios
+    let mut proposed: Vec<f64> = ratios
         .iter()
         // The ratio is rounded to twelve digits, because a ratio of units has few digits.
         .filter_map(|ratio| format!("{ratio:.11e}").parse().ok())
         .filter(|short: &f64| short.is_finite() && *short > 0.0)
         .filter(|short| (short - 1.0).abs() > f64::EPSILON && is_shared(*short))
-        .fold(Vec::new(), |mut all, short| {
-            if all.len() < PROPOSALS && !all.contains(&short) {
-                all.push(short);
-            }
-            all
-        });
+        .take(PROPOSALS)
+        .collect();
+    proposed.sort_unstable_by(f64::total_cmp);
+    proposed.dedup();
     let units = [10.0, 100.0, 1000.0, 25.4, 2.54];
     let both = units.into_iter().flat_map(|unit| [unit, 1.0 / unit]);
     let others: Vec<f64> = both.filter(|unit| !proposed.contains(unit)).collect();
@@ -103,10 +101,5 @@ fn out_of_degrees(radius: &FourierRadius, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let angle = y.atan2(x);
     let turned = radius.approximate(angle.to_degrees());
     let factor = radius.approximate(angle) / turned;
-    if factor.is_finite() {
-        [x * factor, y * factor, z]
-    } else {
-        // The mistake leads to no such point.
-        [x, y, z]
-    }
+    [x * factor, y * factor, z]
 }

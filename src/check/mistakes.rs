@@ -28,9 +28,9 @@ pub(super) struct Mistaken<T> {
     pub(super) form: T,
 }
 
-/// The mistakes that explain the faults of a comparison. At the highest mark at which some mistake leaves at most a tenth of
-/// the faults, these are the mistakes that leave the fewest, if they give as many of the worst numbers one digit more on average: numbers
-/// that miss the mark by little can pass it by chance. `compare` compares the same numbers with the form of a mistake.
+/// The mistakes that explain the faults of a comparison. Only those count that give as many of the worst numbers as there are faults one
+/// digit more on average: numbers that miss a mark by little can pass it by chance. At the highest mark at which some of them leaves at
+/// most a tenth of the faults, these are the mistakes that leave the fewest. `compare` compares the same numbers with the form of a mistake.
 pub(super) fn diagnose<T>(
     found: &Comparison,
     mistakes: impl IntoIterator<Item = Mistaken<T>>,
@@ -51,14 +51,13 @@ pub(super) fn diagnose<T>(
     });
     let tried: Vec<_> = tried.collect();
     for (k, mark) in MARKS.into_iter().enumerate() {
-        let left = tried.iter().map(|(_, after, _)| after[k]).min();
+        let gaining = || tried.iter().filter(|(.., gains)| gains[k]);
+        let left = gaining().map(|(_, after, _)| after[k]).min();
         let Some(left) = left.filter(|left| before[k] > 0 && left * LEFT <= before[k]) else {
             continue;
         };
-        let explain = tried
-            .iter()
-            .filter(|(_, after, gains)| after[k] == left && gains[k]);
-        let explain: Vec<Diagnosis> = explain
+        let explain = gaining().filter(|(_, after, _)| after[k] == left);
+        return explain
             .map(|(mistake, ..)| Diagnosis {
                 name: mistake.name.clone(),
                 explanation: mistake.explanation.clone(),
@@ -68,9 +67,6 @@ pub(super) fn diagnose<T>(
                 faults_left: left,
             })
             .collect();
-        if !explain.is_empty() {
-            return explain;
-        }
     }
     Vec::new()
 }
