@@ -21,7 +21,9 @@ pub(crate) struct RowReader<'a, R> {
     row: usize,
     may_be_header: bool,
     header: Option<String>,
+    /// The center that a comment before the first row of numbers states, and the number of the comment's row.
     center: Option<(usize, String)>,
+    has_begun: bool,
     line: Vec<u8>,
 }
 
@@ -36,6 +38,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
             may_be_header: true,
             header: None,
             center: None,
+            has_begun: false,
             line: Vec::new(),
         }
     }
@@ -59,7 +62,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
                 return Ok(None);
             }
             let row = self.text()?;
-            let center = stated_center(row).filter(|_| self.may_be_header);
+            let center = stated_center(row).filter(|_| !self.has_begun);
             let is_content = !(row.is_empty() || row.starts_with('#'));
             let is_header = is_content && self.may_be_header && is_header(row);
             let header = is_header.then(|| row.to_owned());
@@ -74,6 +77,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
                 self.header = header;
             }
         }
+        self.has_begun = true;
         Ok(Some((self.row, self.text()?)))
     }
 
@@ -82,9 +86,21 @@ impl<'a, R: BufRead> RowReader<'a, R> {
         self.header.as_deref()
     }
 
-    /// The center that a comment before the first row states, and the number of its row; known with the first row of numbers.
-    pub(crate) fn center(&self) -> Option<&(usize, String)> {
-        self.center.as_ref()
+    /// Refuses points whose coordinates are relative to a center, as those that `sample` writes by default; known with the first
+    /// row of numbers.
+    ///
+    /// # Errors
+    /// [`Error::Data`] if a comment before the first row of numbers states a center that is not the origin.
+    pub(crate) fn refuse_center(&self) -> Result<()> {
+        match &self.center {
+            Some((row, center)) => Err(self.error(
+                *row,
+                format!(
+                    "these points are relative to the center ({center}); expected points in original coordinates, as sample --coordinates original writes them"
+                ),
+            )),
+            None => Ok(()),
+        }
     }
 
     fn text(&self) -> Result<&str> {
@@ -120,7 +136,7 @@ fn stated_center(comment: &str) -> Option<String> {
         .trim_start()
         .strip_prefix("center")?;
     let numbers: Vec<&str> = rest
-        .split([':', ',', ' '])
+        .split([':', ',', ' ', '\t'])
         .filter(|word| !word.is_empty())
         .collect();
     let exact = numbers.iter().map(|number| number.parse::<Rational>().ok());

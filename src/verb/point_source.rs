@@ -62,15 +62,7 @@ impl PointRows {
         // A row that is longer than the buffer is refused later.
         let first = rows.next_row().ok().flatten();
         let first = first.map(|(number, row)| (number, row.to_owned()));
-        if let Some((number, center)) = rows.center() {
-            return Err(row_error(
-                place,
-                *number,
-                format!(
-                    "these points are relative to the center ({center}), and points that are inspected are in original coordinates, as those of sample --coordinates original"
-                ),
-            ));
-        }
+        rows.refuse_center()?;
         let layout = match first {
             Some((number, first)) => PointLayout::of(rows.header(), &first)
                 .map_err(|message| row_error(place, number, message))?,

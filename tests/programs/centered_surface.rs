@@ -276,6 +276,29 @@ fn points_about_a_center_are_not_inspected() {
         let found = run_in(folder, &inspect, "");
         assert_eq!(found.code, 0, "{}{}", found.out, found.err);
     }
+    for points in [
+        "# center 1 2\nx,y\n1,0\n0,1\n-1,0\n0,-1\n",
+        "x,y\n#\tcenter:\t1,2\n1,0\n0,1\n-1,0\n",
+    ] {
+        std::fs::write(folder.join("points.csv"), points).unwrap();
+        let inspect = [
+            "inspect",
+            "form.txt",
+            "--tolerance",
+            "1",
+            "--points",
+            "points.csv",
+        ];
+        for command in [&["fit", "points.csv", "-n", "1"][..], &inspect] {
+            let refused = run_in(folder, command, "");
+            assert_eq!(refused.code, 2, "{points}: {}", refused.out);
+            assert!(
+                refused.err.contains("relative to the center (1, 2)"),
+                "{}",
+                refused.err
+            );
+        }
+    }
     // Another comment about a center has no meaning.
     let points = "# center of mass: 3 g\n# center 0 0\nx,y\n3,2\n";
     std::fs::write(folder.join("points.csv"), points).unwrap();

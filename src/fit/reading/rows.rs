@@ -22,6 +22,7 @@ pub(super) fn read_rows(
     let Some((number, first)) = rows.next_row()?.map(|(n, row)| (n, row.to_owned())) else {
         return Ok(read);
     };
+    rows.refuse_center()?;
     // The header is known with the first row.
     let layout = Layout::of(rows.header(), &first, options)
         .map_err(|message| rows.error(number, message))?;
