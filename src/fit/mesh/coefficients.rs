@@ -139,6 +139,9 @@ impl Samples {
             let sum: f64 = coefficients.iter().zip(&values).map(|(c, y)| c * y).sum();
             (rays.radius(direction) - sum).abs()
         };
+        if sampled.largest == 0.0 {
+            return 0.0;
+        }
         let (mut at, mut largest) = (Vector3::from(sampled.at), sampled.largest);
         let mut step = std::f64::consts::PI / as_f64(self.latitudes.len());
         for round in 0..ROUNDS {

@@ -119,21 +119,27 @@ pub fn fit_mesh(solid: &Solid, options: &MeshFitOptions, limits: &Limits) -> Res
         let count = (degree + 1) * (degree + 1);
         samples.largest_near(&errors[degree], &mut rays, &found[..count], degree)
     };
-    let (degree, largest) =
-        match options.size {
-            MeshFitSize::Degree(degree) => (degree, largest(degree)),
-            MeshFitSize::Tolerance(tolerance) => {
-                let mut near = (0..=degree).filter(|&l| errors[l].largest <= tolerance);
-                let reached =
-                    near.find_map(|l| Some((l, largest(l))).filter(|(_, e)| *e <= tolerance));
-                reached.ok_or_else(|| {
-                let least = errors.iter().map(|e| e.largest).fold(f64::INFINITY, f64::min);
+    let (degree, largest) = match options.size {
+        MeshFitSize::Degree(degree) => (degree, largest(degree)),
+        MeshFitSize::Tolerance(tolerance) => {
+            let mut least = f64::INFINITY;
+            let reached = (0..=degree).find_map(|l| {
+                let sampled = errors[l].largest;
+                let error = if sampled <= tolerance {
+                    largest(l)
+                } else {
+                    sampled
+                };
+                least = least.min(error);
+                (error <= tolerance).then_some((l, error))
+            });
+            reached.ok_or_else(|| {
                 Error::limit(format!(
                     "the radial error is ≈ {least:.3e} at best, with degrees up to {MAX_FIT_DEGREE}"
                 ))
             })?
-            }
-        };
+        }
+    };
     let terms = coefficients::unnormalised(&found, degree)?;
     Ok(MeshFit {
         surface: HarmonicSurface::new(terms)?.with_center(center),
