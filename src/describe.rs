@@ -68,7 +68,7 @@ impl FourierDescription {
     }
 
     /// Whether r < 0 for some angle: then the ranges in which r > 0 leave a gap, while a zero without a change of sign ends one
-    /// range and begins the next.
+    /// range and begins the next. Without any range r < 0 somewhere, because r = 0 is no curve.
     #[must_use]
     pub fn has_negative_radius(&self) -> bool {
         let whole = AngleRange::full_circle();
@@ -182,9 +182,9 @@ impl Description {
     /// # Errors
     /// As [`SquaredForm::new`]; [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
     pub fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Self> {
-        let mut description = Self::unranged_radius(radius)?;
-        limits.check()?;
         let form = SquaredForm::new(radius)?;
+        let mut description = Self::of_squared(&form);
+        limits.check()?;
         description.fourier = Some(FourierDescription::of(radius, form.is_perfect_square()));
         Ok(description)
     }
@@ -194,7 +194,10 @@ impl Description {
     /// # Errors
     /// As [`SquaredForm::new`].
     pub fn unranged_radius(radius: &FourierRadius) -> Result<Self> {
-        let form = SquaredForm::new(radius)?;
+        SquaredForm::new(radius).map(|form| Self::of_squared(&form))
+    }
+
+    fn of_squared(form: &SquaredForm) -> Self {
         let curve = form.expand();
         let mut description = Self::unfactored_curve(&curve);
         description.factors = Some(vec![DescribedFactor {
@@ -207,7 +210,7 @@ impl Description {
                 "in polar form F = r^(2N) (r - r(t)) (r + r(t+pi)), the two factors are exchanged by (r, t) -> (-r, t+pi) and differ, because an even harmonic (a0 among them) is not 0; and x^2 + y^2 does not divide F, because the N-th harmonic is not 0".into()
             },
         }]);
-        Ok(description)
+        description
     }
 
     /// Describes a surface.

@@ -21,8 +21,8 @@ pub(crate) struct Inspect {
     /// LOW ≤ 0 ≤ HIGH, which is negative inside a form with sides, such as -0.02,0.05
     #[arg(long, value_name = "D|LOW,HIGH", allow_hyphen_values = true, value_parser = tolerance)]
     pub(crate) tolerance: ToleranceZone,
-    /// The true point is at most this far from the measured one: a point is inside, or outside, if its distance says so even when it
-    /// is this much larger or smaller, so that it is so wherever the true point is, and otherwise uncertain
+    /// The true point is at most this far from the measured one: a point is inside, or outside, if it would be so at any distance that
+    /// is larger or smaller by at most this; otherwise it is uncertain
     #[arg(long, value_name = "U", value_parser = positive)]
     pub(crate) uncertainty: Option<Rational>,
     /// A point; may be repeated

@@ -211,7 +211,11 @@ impl FromStr for PlanePolynomial {
         if let Ok(value) = exact_literal(text) {
             return Ok(Self::from_terms([((0, 0), value)]));
         }
-        Ok(text.parse::<ImplicitCurve>()?.polynomial().clone())
+        let expected = "a polynomial in x and y, such as x^2 + y^2 - 1, without a center";
+        parsed(text, expected, |form| match form {
+            Form::Curve(curve) if curve.is_centered() => Some(curve.polynomial().clone()),
+            _ => None,
+        })
     }
 }
 
@@ -237,9 +241,8 @@ impl FromStr for SparsePolynomial<3> {
         if let Ok(value) = exact_literal(text) {
             return Ok(Self::constant(value));
         }
-        let expected = "a polynomial in x, y and z, such as x^2 + y^2 + z^2 - 1";
+        let expected = "a polynomial in x, y and z, such as x^2 + y^2 + z^2 - 1, without a center";
         parsed(text, expected, |form| match form {
-            // A polynomial has no center.
             Form::Surface(surface) if surface.is_centered() => Some(surface.polynomial().clone()),
             Form::Curve(curve) if curve.is_centered() => Some(Self::from(curve.polynomial())),
             _ => None,

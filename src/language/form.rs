@@ -23,6 +23,9 @@ use crate::exact::Rational;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
+/// The error for a center of another form.
+const CENTERED: &str = "a center belongs to an equation of a curve or a surface, a Fourier radius or a harmonic surface";
+
 /// The form that the equations give, with the given center if there is one.
 pub(super) fn form(
     cx: &mut Context<'_>,
@@ -38,7 +41,7 @@ pub(super) fn form(
     };
     if coordinates::are_parametric(equations) {
         if let Some((at, _)) = center {
-            let message = "a center belongs to an equation of a curve or a surface, a Fourier radius or a harmonic surface";
+            let message = CENTERED;
             return Err(cx.source.error(at, message));
         }
         return coordinates::parametric(cx, equations);
@@ -66,7 +69,7 @@ pub(super) fn form(
                 polar::equation(cx, formula, k)?
             } else if polar::is_beyond_series(cx, formula)? {
                 if let Some((at, _)) = center {
-                    let message = "a center belongs to an equation of a curve or a surface, a Fourier radius or a harmonic surface";
+                    let message = CENTERED;
                     return Err(cx.source.error(at, message));
                 }
                 return polar::curve(cx, equations, formula, angle);

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{SparsePolynomial, total_degree};
 
@@ -26,13 +27,13 @@ pub(super) fn cancelled_digits(
     let Some((&top, &highest)) = sizes.last_key_value() else {
         return 0;
     };
-    let exact = |d: u64| u32::try_from(d).map_or(f64::INFINITY, f64::from);
+    let real = |d: u64| f64::from(u32::try_from(d).invariant("degrees have 32 bits"));
     let lower = sizes.range(..top);
-    let distances = lower.map(|(d, size)| (size - highest) / exact(top - d));
+    let distances = lower.map(|(d, size)| (size - highest) / real(top - d));
     let logs: Vec<f64> = center.iter().map(log2).collect();
     let farthest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let s = distances.reduce(f64::max).unwrap_or(farthest);
-    let parts = sizes.iter().map(|(d, size)| size + exact(*d) * s);
+    let parts = sizes.iter().map(|(d, size)| size + real(*d) * s);
     let near = parts.fold(f64::NEG_INFINITY, f64::max);
     // log2 (2^a + 2^b)
     let joined = |a: f64, b: f64| a.max(b) + (1.0 + (-(a - b).abs()).exp2()).log2();
@@ -61,7 +62,10 @@ fn log2(q: &Rational) -> f64 {
     if near.is_normal() {
         return near.log2();
     }
-    let bits = |n: &Integer| u32::try_from(n.significant_bits()).map_or(f64::INFINITY, f64::from);
+    let bits = |n: &Integer| {
+        let bits = u32::try_from(n.significant_bits());
+        f64::from(bits.invariant("a number has fewer than 2^32 bits"))
+    };
     bits(&q.numerator()) - bits(&q.denominator())
 }
 

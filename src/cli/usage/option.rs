@@ -48,8 +48,10 @@ pub(super) fn unknown(
     if let Ok(format) = name.parse::<Format>() {
         return instead(&format!("--format {format}"));
     }
-    // The first letter of a form behind its sign.
-    if let Some(first) = option.strip_prefix('-')
+    // The first letter of a form behind its sign, for a verb with several forms; a single one may begin with a sign.
+    let takes_signs = verb.get_positionals().any(Arg::is_allow_hyphen_values_set);
+    if !takes_signs
+        && let Some(first) = option.strip_prefix('-')
         && let [first] = *first.as_bytes()
         && b"xyzrRt(.0123456789".contains(&first)
     {
