@@ -134,10 +134,7 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         Form::Surface(surface) => Ok(Reference::of_surface(surface)),
         _ => Err(CHECK.not_this()),
     })?;
-    let center = reference.center();
-    if !center.iter().all(Rational::is_zero) {
-        work.remark(Remark::RelativeTo(center.to_vec()));
-    }
+    work.remark_center(reference.center());
     let reference = match next {
         Some(next) => reference.with_next(next),
         None => reference,

@@ -399,29 +399,25 @@ fn beyond<const N: usize>(curve: &ParametricCurve<N>, image: RealImage<N>) -> Be
 fn in_original_coordinates(form: Form, work: &Work) -> Result<Form> {
     /// Fewer digits are not worth a remark.
     const FEW_DIGITS: u32 = 3;
-    let terms = |form: &Form| match form {
-        Form::Curve(curve) => SparsePolynomial::from(curve.polynomial()),
-        Form::Surface(surface) => surface.polynomial().clone(),
-        _ => SparsePolynomial::zero(),
-    };
-    let center = match &form {
-        Form::Curve(curve) => curve.center().to_vec(),
-        Form::Surface(surface) => surface.center().to_vec(),
-        _ => Vec::new(),
-    };
-    if center.iter().all(Rational::is_zero) {
-        return Ok(form);
-    }
-    let about = terms(&form);
-    let moved = match form {
-        Form::Curve(curve) => Form::Curve(curve.in_original_coordinates()),
-        Form::Surface(surface) => {
-            let moved = surface.in_original_coordinates(work.bounds())?;
-            Form::Surface(moved.into_owned())
+    let (center, about, moved, expanded) = match &form {
+        Form::Curve(curve) if !curve.is_centered() => {
+            let moved = curve.in_original_coordinates();
+            let [about, expanded] = [curve, &moved].map(|c| SparsePolynomial::from(c.polynomial()));
+            (curve.center().to_vec(), about, Form::Curve(moved), expanded)
         }
-        other => other,
+        Form::Surface(surface) if !surface.is_centered() => {
+            let moved = surface.in_original_coordinates(work.bounds())?.into_owned();
+            let [about, expanded] = [surface, &moved].map(|s| s.polynomial().clone());
+            (
+                surface.center().to_vec(),
+                about,
+                Form::Surface(moved),
+                expanded,
+            )
+        }
+        _ => return Ok(form),
     };
-    let digits = cancelled_digits(&about, &terms(&moved), &center);
+    let digits = cancelled_digits(&about, &expanded, &center);
     if digits >= FEW_DIGITS {
         work.remark(Remark::Expanded { center, digits });
     }

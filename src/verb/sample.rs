@@ -170,7 +170,7 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         )
     })?;
     let rays = kept(rays, options);
-    remark_center(&center, work);
+    work.remark_center(&center);
     remark_lines(&rays, work);
     Ok(Samples {
         points: SampledPoints::Plane { rays, center },
@@ -187,12 +187,6 @@ fn ends<const N: usize>(
     match coordinates {
         CoordinatesFrom::Center => [center.clone(), origin],
         CoordinatesFrom::Original => [origin, center.clone()],
-    }
-}
-
-fn remark_center(center: &[Rational], work: &Work) {
-    if !center.iter().all(Rational::is_zero) {
-        work.remark(Remark::RelativeTo(center.to_vec()));
     }
 }
 
@@ -219,7 +213,7 @@ fn of_harmonics(
         claim_rays(proof, form, equation.by_degree(), &from, &rays, work)
     })?;
     let rays = kept(rays, options);
-    remark_center(&center, work);
+    work.remark_center(&center);
     Ok(uncounted(SampledPoints::Space { rays, center }))
 }
 
@@ -242,7 +236,7 @@ fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -
         )
     })?;
     let rays = kept(rays, options);
-    remark_center(&center, work);
+    work.remark_center(&center);
     remark_lines(&rays, work);
     Ok(Samples {
         points: SampledPoints::Space { rays, center },

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::{Part, Remark};
 use crate::error::{Error, Result};
+use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::witness::Proof;
 
@@ -203,6 +204,13 @@ impl Work {
             watcher.remark(&remark);
         }
         locked(&self.remarks).push(remark);
+    }
+
+    /// Remarks that coordinates are relative to a center, unless it is the origin.
+    pub(super) fn remark_center(&self, center: &[Rational]) {
+        if !center.iter().all(Rational::is_zero) {
+            self.remark(Remark::RelativeTo(center.to_vec()));
+        }
     }
 
     /// Counts the finished pieces of a long work.

@@ -27,6 +27,13 @@ fn harmonic() -> TempDir {
     folder
 }
 
+/// A folder with the quartic.
+fn quartic() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    std::fs::write(folder.path().join("quartic.txt"), QUARTIC).unwrap();
+    folder
+}
+
 fn text_of(folder: &Path, command: &str) -> String {
     let words: Vec<&str> = command.split(' ').collect();
     done_in(folder, &words, "")
@@ -119,9 +126,8 @@ fn all_verbs_find_the_same_surface() {
 
 #[test]
 fn closed_forms_are_about_the_center() {
-    let folder = TempDir::new().unwrap();
+    let folder = quartic();
     let folder = folder.path();
-    std::fs::write(folder.join("quartic.txt"), QUARTIC).unwrap();
     let found = json(&text_of(folder, "parametrize quartic.txt --format json"));
     assert_eq!(strings(&found["center"]), ["1", "2", "-3/2"]);
     let z = found["branches"][0]["coordinates"]["z"].as_str().unwrap();
@@ -145,9 +151,8 @@ fn closed_forms_are_about_the_center() {
 
 #[test]
 fn claims_about_a_center_are_proved() {
-    let folder = TempDir::new().unwrap();
+    let folder = quartic();
     let folder = folder.path();
-    std::fs::write(folder.join("quartic.txt"), QUARTIC).unwrap();
     for command in [
         "sample quartic.txt --directions 5",
         "sample quartic.txt --directions 5 --coordinates original",
@@ -165,9 +170,8 @@ fn claims_about_a_center_are_proved() {
 
 #[test]
 fn float_numbers_are_compared_about_the_center() {
-    let folder = TempDir::new().unwrap();
+    let folder = quartic();
     let folder = folder.path();
-    std::fs::write(folder.join("quartic.txt"), QUARTIC).unwrap();
     let rows = "i,j,k,coefficient\n4,0,0,1\n0,4,0,1\n0,0,4,1\n0,0,0,-1\n";
     for (center, code, expected) in [
         ("", 0, ""),
@@ -212,9 +216,8 @@ fn float_numbers_are_compared_about_the_center() {
 
 #[test]
 fn a_latex_file_has_a_center() {
-    let folder = TempDir::new().unwrap();
+    let folder = quartic();
     let folder = folder.path();
-    std::fs::write(folder.join("quartic.txt"), QUARTIC).unwrap();
     text_of(folder, "implicitize quartic.txt -o quartic.tex");
     let back = text_of(folder, "implicitize quartic.tex");
     assert_eq!(back, text_of(folder, "implicitize quartic.txt"));
