@@ -37,9 +37,10 @@ pub enum Relation {
 }
 
 impl Condition {
-    /// The condition that a form has this relation to 0. For a constant form it is decided at once.
+    /// The condition that a form has this relation to 0. For a constant form, and for the form 0 of any degree, it is decided at
+    /// once.
     pub(super) fn form(form: &TernaryForm, relation: Relation) -> Self {
-        if form.degree() > 0 {
+        if form.degree() > 0 && !form.is_zero() {
             return Self::Form(form.clone(), relation);
         }
         let sign = form.terms().next().map_or(0, |(_, c)| integer_sign(c));
@@ -166,6 +167,8 @@ mod tests {
             "x^4 + y^4 + 2z^4 + x^2 - 1 - 3y^2",
             "x^6 + y^6 + z^6 - 3x^2*y^2 + z^2 - 1/9",
             "x^8 - y^8 + z^8 - 3x^4*y^2 + x^2*z^2 + y^2 - 1/9",
+            "((x^2 + x)^2 - 2*(x^2 + x))*(y + 2z) + x + z",
+            "((x - y)^2 + x - y)^2 - 2*((x - y)^2 + x - y) + 1/9 + 0*z",
         ] {
             let form = parse_form(text, "<form>", Numbers::Exact).unwrap();
             let Form::Surface(surface) = form else {

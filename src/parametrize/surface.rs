@@ -283,6 +283,7 @@ fn condition(rule: Rule, may_vanish: bool, even: bool, power: &str) -> String {
             "D <= 0 and the inner square root is real",
             ": one of two real roots",
         ),
+        Rule::SymmetricQuartic(_) => ("both square roots are real", ""),
         Rule::Biquadratic(_) => (
             "the depressed quartic has no linear term and not all roots are real",
             "",

@@ -2,11 +2,11 @@
 
 use malachite::Integer;
 
-use super::forms::{LemmaForm, constant, negative, product, reduced, square_part};
+use super::forms::{LemmaForm, constant, negative, product, square_part};
 use super::lemma4::{cosine_root, sum_of_cube_roots};
 use super::quartic::{Index, depressed, discriminant};
 use super::quartic_signs::Critical;
-use super::{Rule, Solved};
+use super::{Rule, Solved, symmetric};
 use crate::parametrize::expression::Expression;
 
 /// Eqs. (50)–(69): `s R⁴ + p R³ + q R² + u R + v = 0` with R = r^k.
@@ -15,26 +15,18 @@ use crate::parametrize::expression::Expression;
 /// = 0, and let m = √z > 0. Then y = (m ± √(−z − 2A − 2B/m))/2 or y = (−m ± √(−z − 2A + 2B/m))/2: the two larger and the two
 /// smaller roots. If the discriminant Δ is negative, cube roots give z, and one pair is real, the larger one for B < 0. If Δ ≥
 /// 0, z has the cosine form, and all four roots are real if A < 0 and A² ≥ 4C. The case m = 0 has a formula of its own, y² =
-/// (−A + √(A² − 4C))/2.
+/// (−A + √(A² − 4C))/2. If B is 0 in every direction, y² = (−A ± √(A² − 4C))/2 are all the roots.
 ///
 /// DIFFERENCE (errata Lemmas 5 and 10): printed Eqs. (59)–(64) lack three coefficients and signs, and the case
 /// of the paper's R = 0 (our m = 0).
 pub(super) fn lemma_5<F: LemmaForm>(parts: [&F; 5]) -> Solved<F> {
     let quartic = Quartic::new(parts);
-    let mut roots = Vec::new();
-    for cosine in [false, true] {
-        for (pair, sign) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
-            let rule = Rule::Quartic {
-                cosine,
-                index: Index { pair, sign },
-            };
-            roots.push((quartic.general(cosine, pair, sign), rule));
-        }
-    }
-    for sign in [1, -1] {
-        let index = Index { pair: 0, sign };
-        roots.push((quartic.biquadratic(sign), Rule::Biquadratic(index)));
-    }
+    let roots = if quartic.b.is_zero() {
+        let formula = |index| (quartic.symmetric(index), Rule::SymmetricQuartic(index));
+        symmetric::ROOTS.map(formula).to_vec()
+    } else {
+        quartic.all_roots()
+    };
     Solved {
         roots,
         critical: quartic.into_critical_forms().into_list(),
@@ -93,17 +85,36 @@ impl<F: LemmaForm> Quartic<F> {
         }
     }
 
-    /// The root R = (y − p)/4s.
-    fn shifted(&self, y: Expression<F>, over: i64) -> Expression<F> {
-        // y is given multiplied by `over`.
+    /// The root R = (±y − p)/4s, with the sign `sign`; y is given multiplied by `over`.
+    fn shifted(&self, y: Expression<F>, sign: i8, over: i64) -> Expression<F> {
         let minus_p = self.parts[1].scaled(&Integer::from(-over));
         let denominator = self.parts[0].scaled(&Integer::from(4 * over));
-        let numerator = if minus_p.is_zero() {
+        let numerator = if !minus_p.is_zero() {
+            signed_sum(Expression::form(minus_p), y, sign)
+        } else if sign > 0 {
             y
         } else {
-            Expression::Sum(Box::new(Expression::form(minus_p)), Box::new(y))
+            y.negated()
         };
         numerator.over(denominator)
+    }
+
+    /// The roots if B is 0 at most in single directions.
+    fn all_roots(&self) -> Vec<(Expression<F>, Rule)> {
+        let mut roots = Vec::new();
+        for cosine in [false, true] {
+            for (pair, sign) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
+                let index = Index { pair, sign };
+                let rule = Rule::Quartic { cosine, index };
+                roots.push((self.general(cosine, pair, sign), rule));
+            }
+        }
+        // The outer roots of the symmetric quartic are the two real ones for m = 0.
+        for sign in [1, -1] {
+            let formula = self.symmetric(Index { pair: sign, sign });
+            roots.push((formula, Rule::Biquadratic(Index { pair: 0, sign })));
+        }
+        roots
     }
 
     /// The roots for m > 0.
@@ -136,33 +147,13 @@ impl<F: LemmaForm> Quartic<F> {
         };
         let m = if pair > 0 { m } else { m.negated() };
         let twice_y = signed_sum(m, inside.root(2), sign);
-        self.shifted(twice_y, 2)
+        self.shifted(twice_y, 1, 2)
     }
 
-    /// y = ±√((−A + √(A² − 4C))/2), where the inner root is not negative.
-    fn biquadratic(&self, sign: i8) -> Expression<F> {
-        let (outside, inside) = square_part(&self.inner);
-        let [minus_a, outside, two] = reduced([negative(&self.a), outside, constant(2)]);
-        let root = Expression::form(inside).root(2);
-        let root = if is_never_negative(&outside) {
-            root.times(outside)
-        } else {
-            let size = Expression::Absolute(Box::new(Expression::form(outside)));
-            Expression::Product(Box::new(size), Box::new(root))
-        };
-        let square = Expression::Sum(Box::new(Expression::form(minus_a)), Box::new(root)).over(two);
-        let y = square.root(2);
-        self.shifted(if sign > 0 { y } else { y.negated() }, 1)
+    /// A root of y⁴ + Ay² + C.
+    fn symmetric(&self, index: Index) -> Expression<F> {
+        self.shifted(symmetric::size(&self.a, &self.inner, index), index.pair, 1)
     }
-}
-
-/// Whether this is seen from the terms: they are squares with positive coefficients.
-fn is_never_negative<F: LemmaForm>(form: &F) -> bool {
-    let terms = form.monomials();
-    let is_square = |exponents: &[usize; 3]| exponents.iter().all(|e| e.is_multiple_of(2));
-    terms
-        .iter()
-        .all(|(exponents, c)| **c > 0 && is_square(exponents))
 }
 
 fn signed_sum<F: LemmaForm>(a: Expression<F>, b: Expression<F>, sign: i8) -> Expression<F> {

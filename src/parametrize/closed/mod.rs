@@ -8,6 +8,7 @@ mod lemma4;
 mod lemma5;
 mod quartic;
 mod quartic_signs;
+mod symmetric;
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
@@ -44,8 +45,10 @@ pub(super) enum Rule {
     CubicThree(usize),
     /// Lemma 5 in general.
     Quartic { cosine: bool, index: Index },
-    /// Lemma 5, if the linear term of the depressed quartic vanishes.
+    /// Lemma 5, in a direction in which the linear term of the depressed quartic vanishes.
     Biquadratic(Index),
+    /// Lemma 5, if the linear term of the depressed quartic vanishes in every direction.
+    SymmetricQuartic(Index),
 }
 
 /// The lemmas solve polynomials in R = r^k up to this degree.
@@ -78,7 +81,7 @@ impl Rule {
     /// none.
     pub(super) fn holds_where_real(self) -> bool {
         match self {
-            Self::Linear | Self::Quadratic(_) => true,
+            Self::Linear | Self::Quadratic(_) | Self::SymmetricQuartic(_) => true,
             Self::CubicOne | Self::CubicThree(_) | Self::Quartic { .. } | Self::Biquadratic(_) => {
                 false
             }
@@ -140,6 +143,9 @@ impl Rule {
                     Condition::all(all_real(&forms)).negated(),
                     Condition::any([form(&forms.b, sign), triple]),
                 ])
+            }
+            Self::SymmetricQuartic(index) => {
+                symmetric::condition(&quartic_signs::Critical::named(critical), index)
             }
             Self::Biquadratic(_) => {
                 let forms = quartic_signs::Critical::named(critical);
@@ -262,6 +268,7 @@ fn sign(
             index,
         } => (Signs::of(at).all_real(), index),
         Rule::Quartic { index, .. } => (Signs::of(at).pair_real(index.pair), index),
+        Rule::SymmetricQuartic(index) => return symmetric::sign(quartic?, at, beside, index),
         Rule::Biquadratic(index) => (Signs::of(at).biquadratic_real(), index),
     };
     real.then(|| quartic?.sign_of(at, beside, index)).flatten()

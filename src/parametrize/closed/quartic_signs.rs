@@ -74,6 +74,11 @@ impl Signs {
         Self::named(&at.signs)
     }
 
+    /// The sign of the root R with the given rank (0 for the largest), if all four are real.
+    pub(super) fn sign_of_rank(self, rank: usize) -> i8 {
+        sign_of_rank(rank, &[self.s, self.p, self.q, self.u, self.v])
+    }
+
     /// Whether all four roots are real and the cosine form is defined.
     pub(super) fn all_real(self) -> bool {
         self.s != 0
@@ -140,23 +145,16 @@ impl<'a> QuarticRoots<'a> {
             return self.sign_at(vector, index);
         }
         let signs = Signs::of(at);
-        let Signs { s, p, q, u, v, .. } = signs;
+        let Signs { s, p, v, .. } = signs;
         if index.pair == 0 && signs.discriminant == 0 {
             // The double root is y = 0.
             return Some(-p * s);
         }
         if signs.all_real() {
-            return Some(sign_of_rank(position(index, 4, s), &[s, p, q, u, v]));
+            return Some(signs.sign_of_rank(position(index, 4, s)));
         }
         if v == 0 {
-            // One root is 0; the other real root is that of the cubic.
-            let other = -u * s;
-            let is_larger = (index.sign > 0) == (s > 0);
-            return Some(if is_larger {
-                other.max(0)
-            } else {
-                other.min(0)
-            });
+            return Some(sign_beside_zero(signs, index));
         }
         // v ≠ 0, so no root changes its sign here. A neighbouring cell in which the root is real knows the sign.
         let known = beside.iter().find_map(|near| {
@@ -173,7 +171,7 @@ impl<'a> QuarticRoots<'a> {
     }
 
     /// The sign in a rational direction, by the certified roots of the quartic there.
-    fn sign_at(&self, (x, y): &(Integer, Integer), index: Index) -> Option<i8> {
+    pub(super) fn sign_at(&self, (x, y): &(Integer, Integer), index: Index) -> Option<i8> {
         let values = self.parts.iter().map(|form| form.evaluate(x, y));
         let mut values: Vec<Integer> = values.collect();
         let s = integer_sign(&values[0]);
@@ -194,8 +192,19 @@ impl<'a> QuarticRoots<'a> {
     }
 }
 
+/// The sign of one of two real roots of which one is 0; the other is the real root of the cubic that remains.
+pub(super) fn sign_beside_zero(Signs { s, u, .. }: Signs, index: Index) -> i8 {
+    let other = -u * s;
+    let is_larger = (index.sign > 0) == (s > 0);
+    if is_larger {
+        other.max(0)
+    } else {
+        other.min(0)
+    }
+}
+
 /// The index of a root among `all` real roots R, from the largest (0) to the smallest.
-fn position(index: Index, all: usize, sign_of_s: i8) -> usize {
+pub(super) fn position(index: Index, all: usize, sign_of_s: i8) -> usize {
     let second_of_pair = usize::from(index.sign < 0);
     let by_y = if all > 2 && index.pair < 0 {
         2 + second_of_pair
