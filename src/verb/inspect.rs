@@ -360,15 +360,26 @@ impl InspectionTask {
     /// # Errors
     /// [`Error::Interrupted`].
     pub fn section(&self, point: &[Rational; 3]) -> Result<Section> {
-        let sign = match self.zone.tolerance() {
-            Some(_) => None,
-            None => self.point(point).sign,
-        };
-        let tolerance = &self.zone.tolerance_of_side(sign);
+        match &self.subject {
+            Subject::Surface(_) | Subject::Curve(_) => self.section_of(point, &self.point(point)),
+            _ => Ok(Section::NotAsked),
+        }
+    }
+
+    /// As [`InspectionTask::section`], for a point that has been inspected.
+    pub(super) fn section_of(
+        &self,
+        point: &[Rational; 3],
+        inspection: &Inspection,
+    ) -> Result<Section> {
+        let tolerance = &self.zone.tolerance_of_side(inspection.sign);
         if tolerance.is_zero() {
             return Ok(Section::NotAsked);
         }
         let found = match &self.subject {
+            Subject::Surface(_) | Subject::Curve(_) if inspection.curve == Some(false) => {
+                return Ok(Section::At(Vec::new()));
+            }
             Subject::Surface(surface) => {
                 let center = surface.center();
                 let point = [0, 1, 2].map(|i| &point[i] - &center[i]);

@@ -96,16 +96,16 @@ impl InspectionTask {
             true => self.foot(&row.exactly(), &inspection),
             false => None,
         };
+        let section = match with_ranges {
+            true => self.section_of(&row.exactly(), &inspection)?,
+            false => Section::NotAsked,
+        };
         Ok(InspectedPoint {
             written,
             others,
             inspection,
             foot,
-            section: if with_ranges {
-                self.section(&row.exactly())?
-            } else {
-                Section::NotAsked
-            },
+            section,
         })
     }
 }
