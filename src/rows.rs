@@ -22,7 +22,7 @@ pub(crate) struct RowReader<'a, R> {
     may_be_header: bool,
     header: Option<String>,
     /// The center that a comment before the first row of numbers states, and the number of the comment's row.
-    center: Option<(usize, String)>,
+    center: Option<(usize, Vec<Rational>)>,
     has_begun: bool,
     line: Vec<u8>,
 }
@@ -62,7 +62,9 @@ impl<'a, R: BufRead> RowReader<'a, R> {
                 return Ok(None);
             }
             let row = self.text()?;
-            let center = stated_center(row).filter(|_| !self.has_begun);
+            // Coordinates relative to the origin are original ones.
+            let is_origin = |center: &Vec<Rational>| center.iter().all(Rational::is_zero);
+            let center = stated_center(row).filter(|c| !self.has_begun && !is_origin(c));
             let is_content = !(row.is_empty() || row.starts_with('#'));
             let is_header = is_content && self.may_be_header && is_header(row);
             let header = is_header.then(|| row.to_owned());
@@ -96,7 +98,8 @@ impl<'a, R: BufRead> RowReader<'a, R> {
             Some((row, center)) => Err(self.error(
                 *row,
                 format!(
-                    "these points are relative to the center ({center}); expected points in original coordinates, as sample --coordinates original writes them"
+                    "these points are relative to the center ({center}); expected points in original coordinates, as sample --coordinates original writes them",
+                    center = listed(center)
                 ),
             )),
             None => Ok(()),
@@ -128,21 +131,31 @@ impl<'a, R: BufRead> RowReader<'a, R> {
     }
 }
 
-/// The point of a comment such as `# center 1 2 1/3`, which tables of points have if their coordinates are relative to it; `None` for
-/// the origin.
-fn stated_center(comment: &str) -> Option<String> {
+/// The center that a table of points states in a comment before its first row.
+pub(crate) fn center_of_table(text: &str) -> Option<Vec<Rational>> {
+    let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+    let mut before = lines.take_while(|l| l.is_empty() || l.starts_with('#') || is_header(l));
+    before.find_map(stated_center)
+}
+
+/// The point of a comment such as `# center 1 2 1/3`, which tables of points have if their coordinates are relative to it.
+fn stated_center(comment: &str) -> Option<Vec<Rational>> {
     let rest = comment
         .strip_prefix('#')?
         .trim_start()
         .strip_prefix("center")?;
-    let numbers: Vec<&str> = rest
-        .split([':', ',', ' ', '\t'])
+    let numbers = rest.split([':', ',', ' ', '\t']);
+    let exact = numbers
         .filter(|word| !word.is_empty())
-        .collect();
-    let exact = numbers.iter().map(|number| number.parse::<Rational>().ok());
+        .map(|number| number.parse().ok());
     let exact: Vec<Rational> = exact.collect::<Option<_>>()?;
-    let is_point = matches!(exact.len(), 2 | 3) && !exact.iter().all(Rational::is_zero);
-    is_point.then(|| numbers.join(", "))
+    matches!(exact.len(), 2 | 3).then_some(exact)
+}
+
+/// The coordinates of a point, as in `1, 2, 1/3`.
+pub(crate) fn listed(point: &[Rational]) -> String {
+    let all: Vec<String> = point.iter().map(Rational::to_string).collect();
+    all.join(", ")
 }
 
 /// The error for a wrong row of the source `place`.

@@ -5,12 +5,17 @@ use super::comparison::{Comparison, GivenNumber};
 use super::condition::coefficient_conditions;
 use super::mistakes::{Mistaken, diagnose, mistaken_polynomials};
 use super::unexplained::unexplained;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::implicitize::SquaredForm;
+use crate::limits::Limits;
 use crate::parametrize::born_of_radius;
 use crate::poly::SparsePolynomial;
 use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
+
+/// Up to these degrees the coefficients of a program are compared with those in original coordinates, too.
+const MOST_IN_THE_PLANE: u64 = 100;
+const MOST_IN_SPACE: u64 = 30;
 
 /// A curve or a surface with its exact polynomial, and with its radius where it has one.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,7 +130,11 @@ impl Reference {
         let exact = square.unwrap_or(&self.polynomial);
         let mut found = compare_coefficients(got, exact);
         found.in_space = self.in_space;
-        found.diagnoses = diagnose(&found, self.mistaken(), |polynomial| {
+        let mistaken = std::iter::once_with(|| {
+            let displaced = self.in_original_coordinates();
+            self.mistaken().into_iter().chain(displaced)
+        });
+        found.diagnoses = diagnose(&found, mistaken.flatten(), |polynomial| {
             Some(compare_coefficients(got, polynomial))
         });
         if found.diagnoses.is_empty() {
@@ -139,6 +148,26 @@ impl Reference {
             });
         }
         found
+    }
+
+    /// The polynomial of a program that forgot the center; `None` without a center, and if the expansion would take long.
+    fn in_original_coordinates(&self) -> Option<Mistaken<SparsePolynomial<3>>> {
+        let degree = self.polynomial.degree()?;
+        let most = if self.in_space {
+            MOST_IN_SPACE
+        } else {
+            MOST_IN_THE_PLANE
+        };
+        if self.center.iter().all(Rational::is_zero) || degree > most {
+            return None;
+        }
+        let back = self.center.each_ref().map(|c| -c);
+        let moved = self.polynomial.about(&back, &Limits::none());
+        Some(Mistaken {
+            name: "center forgotten".into(),
+            explanation: "the coefficients are in the original coordinates; they are compared relative to the center".into(),
+            form: moved.invariant("there is no limit"),
+        })
     }
 
     /// The point of the original coordinates that is the origin here; of a curve its third coordinate is 0.

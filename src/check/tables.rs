@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 use crate::language::{Numbers, number_at};
 use crate::reading::Table;
 
-/// Reads points `x,y` or `x,y,z` in rows; the header is optional. A decimal stands for the nearest double, and `0x1.8p+1` is
-/// taken bit for bit.
+/// Reads points `x,y` or `x,y,z` in rows. A header is optional, and can name these columns among others. A decimal stands for the
+/// nearest double, and `0x1.8p+1` is taken bit for bit.
 ///
 /// ```
 /// use stellate::check::read_points_csv;
@@ -16,15 +16,13 @@ use crate::reading::Table;
 /// ```
 ///
 /// # Errors
-/// [`Error::Data`] with the line if a row has another number of columns than it should in the plane or `in_space`, or a
-/// field is not a finite number.
+/// [`Error::Data`] with the line if there are other columns than there should be in the plane or `in_space`, or a field is not a
+/// finite number.
 pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<Vec<GivenPoint>> {
-    let columns: &[&str] = if in_space {
-        &["x", "y", "z"]
-    } else {
-        &["x", "y"]
-    };
-    let rows = read_doubles(text, source_name, columns)?;
+    let rows = match in_space {
+        true => read_doubles(text, source_name, &["x", "y", "z"], None),
+        false => read_doubles(text, source_name, &["x", "y"], Some("z")),
+    }?;
     let point = |(line, row): (usize, Vec<f64>)| GivenPoint {
         line,
         // In the plane, z is 0.
@@ -33,7 +31,7 @@ pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<
     Ok(rows.into_iter().map(point).collect())
 }
 
-/// Reads radii `theta,r` in rows, with θ in radians; the header is optional. Numbers are read as in [`read_points_csv`].
+/// Reads radii `theta,r` in rows, with θ in radians. Headers and numbers are read as in [`read_points_csv`].
 ///
 /// ```
 /// use stellate::check::read_radii_csv;
@@ -45,7 +43,7 @@ pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<
 /// # Errors
 /// As [`read_points_csv`].
 pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>> {
-    let rows = read_doubles(text, source_name, &["theta", "r"])?;
+    let rows = read_doubles(text, source_name, &["theta", "r"], Some("phi"))?;
     let radius = |(line, row): (usize, Vec<f64>)| GivenRadius {
         line,
         theta: row[0],
@@ -54,7 +52,7 @@ pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>>
     Ok(rows.into_iter().map(radius).collect())
 }
 
-/// Reads radii `theta,phi,r` in rows, with both angles in radians; the header is optional. Numbers are read as in [`read_points_csv`].
+/// Reads radii `theta,phi,r` in rows, with both angles in radians. Headers and numbers are read as in [`read_points_csv`].
 ///
 /// ```
 /// use stellate::check::read_space_radii_csv;
@@ -66,7 +64,7 @@ pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>>
 /// # Errors
 /// As [`read_points_csv`].
 pub fn read_space_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenSpaceRadius>> {
-    let rows = read_doubles(text, source_name, &["theta", "phi", "r"])?;
+    let rows = read_doubles(text, source_name, &["theta", "phi", "r"], None)?;
     let radius = |(line, row): (usize, Vec<f64>)| GivenSpaceRadius {
         line,
         theta: row[0],
@@ -76,17 +74,19 @@ pub fn read_space_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenSp
     Ok(rows.into_iter().map(radius).collect())
 }
 
-/// The rows, each with its line in the file.
-fn read_doubles(text: &str, source_name: &str, columns: &[&str]) -> Result<Vec<(usize, Vec<f64>)>> {
+/// The values of these columns in the rows, each row with its line in the file. A table with the column `unwanted` is refused.
+fn read_doubles(
+    text: &str,
+    source_name: &str,
+    columns: &[&str],
+    unwanted: Option<&str>,
+) -> Result<Vec<(usize, Vec<f64>)>> {
     let table = Table::read(text, source_name, Numbers::F64)?;
-    if table.width() != Some(columns.len()) {
-        let message = format!("expected the columns {}", columns.join(","));
-        return Err(Error::data(source_name, message));
-    }
-    table.check_header(&[columns])?;
+    let places = table.places(source_name, columns, unwanted)?;
     let rows = table.rows.iter().zip(&table.lines);
     rows.map(|((place, fields), line)| {
-        let doubles = fields.iter().map(|field| {
+        let doubles = places.iter().map(|&k| {
+            let field = &fields[k];
             let value = number_at(place, field, Numbers::F64)?.to_f64();
             if value.is_finite() {
                 return Ok(value);

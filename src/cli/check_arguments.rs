@@ -46,10 +46,10 @@ pub(crate) struct CheckedData {
     /// of a harmonic surface also rows l,m,value
     #[arg(long, value_name = "FILE")]
     pub(crate) coefficients: Option<String>,
-    /// Points of a float program: rows x,y[,z]
+    /// Points of a float program: rows x,y[,z], or these columns by name among others, as sample writes them
     #[arg(long, value_name = "FILE")]
     pub(crate) points: Option<String>,
-    /// Radii of a float program: rows theta,r, or theta,phi,r for a harmonic surface
+    /// Radii of a float program: rows theta,r, or theta,phi,r for a harmonic surface, or these columns by name among others
     #[arg(long, value_name = "FILE")]
     pub(crate) radii: Option<String>,
     /// The paper's own algorithm in doubles, for growing N

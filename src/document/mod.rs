@@ -85,6 +85,7 @@ pub use crate::notation::{Coordinates, Format};
 pub use crate::reading::SCHEMA;
 
 // Only the tests and benches of this project use these; they are no part of the public interface.
+use crate::rows::listed;
 use crate::shape::Form;
 use crate::verb::Fact;
 #[doc(hidden)]
@@ -117,7 +118,7 @@ pub fn write_form(
 /// The text of the comment that states the center, if the center is not the origin.
 fn center_comment(center: &[Rational]) -> Option<String> {
     let is_origin = center.iter().all(Rational::is_zero);
-    (!is_origin).then(|| format!("center: {}", remark::listed(center)))
+    (!is_origin).then(|| format!("center: {}", listed(center)))
 }
 
 /// The line about the center in a description, with its doubles if its fractions are long; `None` for the origin.

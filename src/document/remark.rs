@@ -4,6 +4,7 @@ use crate::exact::Rational;
 use crate::fit::{ContourKind, LeftOut};
 use crate::inspect::MAX_EXACT_MONOMIALS;
 use crate::reading::{HarmonicLayout, Normalization, ReadHarmonics};
+use crate::rows::listed;
 use crate::topology::ComponentKind;
 use crate::verb::{Missing, Part, Remark};
 
@@ -107,12 +108,6 @@ pub fn remark_text(remark: &Remark) -> String {
             "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
         ),
     }
-}
-
-/// The coordinates of a point.
-pub(super) fn listed(point: &[Rational]) -> String {
-    let all: Vec<String> = point.iter().map(Rational::to_string).collect();
-    all.join(", ")
 }
 
 /// The convention that a file of spherical harmonics was read with.

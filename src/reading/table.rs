@@ -241,6 +241,39 @@ impl Table {
         Ok(lists)
     }
 
+    /// The places of these columns: where the header names them, else in this order, in a table that has no others.
+    ///
+    /// # Errors
+    /// [`Error::Data`] for a table of other columns, or with the column `unwanted`: its rows have one coordinate more.
+    pub(crate) fn places(
+        &self,
+        source_name: &str,
+        wanted: &[&str],
+        unwanted: Option<&str>,
+    ) -> Result<Vec<usize>> {
+        if let Some((line, names)) = &self.header {
+            let place = |wanted: &str| names.iter().position(|n| n.eq_ignore_ascii_case(wanted));
+            let places = wanted.iter().map(|name| place(name)).collect();
+            match (places, unwanted.and_then(|name| place(name).map(|_| name))) {
+                (Some(places), None) => return Ok(places),
+                (Some(_), Some(name)) => {
+                    let columns = wanted.join(",");
+                    let message = format!("expected the columns {columns} without {name}");
+                    return Err(Error::data(line, message));
+                }
+                (None, _) => {}
+            }
+        }
+        if self.width() == Some(wanted.len()) && !self.has_header() {
+            return Ok((0..wanted.len()).collect());
+        }
+        let columns = wanted.join(",");
+        let message =
+            format!("expected the columns {columns}, or a first row that names them among others");
+        let place = self.header.as_ref().map_or(source_name, |(place, _)| place);
+        Err(Error::data(place, message))
+    }
+
     pub(crate) fn has_header(&self) -> bool {
         self.header.is_some()
     }

@@ -20,7 +20,7 @@ use crate::reading::{
     HarmonicConvention, HarmonicLayout, layout_of_header, read_coefficients, read_document,
     read_harmonics,
 };
-use crate::rows::words;
+use crate::rows::{center_of_table, double, listed, words};
 use crate::shape::{Form, HarmonicSurface};
 
 /// More directions of test vectors than this are refused.
@@ -49,9 +49,9 @@ pub enum FloatKind {
     /// An implicit document, rows `i,j[,k],value`, or a matrix `c[i][j]`; for a harmonic surface also rows `l,m,value` or a document of kind
     /// `spherical`.
     Coefficients,
-    /// Rows `x,y[,z]`.
+    /// Rows `x,y[,z]`, or these columns by name among others.
     Points,
-    /// Rows `theta,r`, or `theta,phi,r` for a harmonic surface.
+    /// Rows `theta,r`, or `theta,phi,r` for a harmonic surface, or these columns by name among others.
     Radii,
 }
 
@@ -160,6 +160,10 @@ impl CheckTask {
     /// # Errors
     /// Those of [`read_points_csv`], [`read_radii_csv`], [`read_document`] and [`read_coefficients`].
     pub fn read(&self, kind: FloatKind, text: &str, source_name: &str) -> Result<FloatNumbers> {
+        if let (FloatKind::Points | FloatKind::Radii, Some(center)) = (kind, center_of_table(text))
+        {
+            self.refuse_other_center(&center, "these numbers", source_name)?;
+        }
         Ok(match kind {
             FloatKind::Coefficients => {
                 let start = text.trim_start_matches('\u{feff}').trim_start();
@@ -236,6 +240,23 @@ impl CheckTask {
         })
     }
 
+    /// Refuses numbers about another center than that of the exact form.
+    fn refuse_other_center(&self, center: &[Rational], what: &str, name: &str) -> Result<()> {
+        let ours = self.reference.center();
+        let bits = |center: &[Rational]| -> Vec<u64> {
+            center.iter().map(|v| v.to_f64().to_bits()).collect()
+        };
+        if bits(center) == bits(ours) {
+            return Ok(());
+        }
+        let message = format!(
+            "{what} are relative to ({}), the reference to ({})",
+            listed(center),
+            listed(ours)
+        );
+        Err(Error::data(name, message))
+    }
+
     /// The polynomial whose coefficients a float program gave, about the center of the exact form.
     fn coefficients(&self, form: &Form, name: &str) -> Result<SparsePolynomial<3>> {
         let wrong = |message: String| Error::data(name, message);
@@ -262,35 +283,25 @@ impl CheckTask {
                 "these are the coefficients of {these}, the reference is {that}"
             )));
         }
-        // What states no center is relative to the center of the reference.
-        let bits = |center: &[Rational]| -> Vec<u64> {
-            center.iter().map(|v| v.to_f64().to_bits()).collect()
-        };
-        let is_stated = !center.iter().all(Rational::is_zero);
-        if is_stated && bits(center) != bits(reference.center()) {
-            let listed = |center: &[Rational]| {
-                let texts: Vec<String> = center.iter().map(ToString::to_string).collect();
-                texts.join(", ")
-            };
-            return Err(wrong(format!(
-                "the coefficients are relative to ({}), the reference to ({})",
-                listed(center),
-                listed(reference.center())
-            )));
+        // What states no center is relative to the one of the exact form.
+        if !center.iter().all(Rational::is_zero) {
+            self.refuse_other_center(center, "the coefficients", name)?;
         }
         Ok(polynomial)
     }
 }
 
-/// Whether a table is one of spherical harmonics: its first row names l and m.
+/// Whether a table is one of spherical harmonics: its first row names l and m, or has three numbers, where the terms of a polynomial
+/// in space have four.
 fn is_of_harmonics(text: &str) -> bool {
     let mut rows = text.lines().map(str::trim);
     let first = rows.find(|row| !row.is_empty() && !row.starts_with('#'));
-    let names: Vec<String> = words(first.unwrap_or(""))
+    let fields: Vec<String> = words(first.unwrap_or(""))
         .map(str::to_ascii_lowercase)
         .collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    layout_of_header(&names).is_some()
+    let fields: Vec<&str> = fields.iter().map(String::as_str).collect();
+    let are_numbers = fields.iter().all(|field| double(field).is_ok());
+    layout_of_header(&fields).is_some() || are_numbers && fields.len() == 3
 }
 
 fn terms_of(surface: &HarmonicSurface) -> GivenHarmonics {

@@ -94,7 +94,7 @@ fn wrong_input_is_said_in_its_place() {
         (
             &points,
             "x,y,z\n1,2,3\n",
-            "data.csv: expected the columns x,y",
+            "data.csv, line 1: expected the columns x,y",
         ),
         (
             &points,

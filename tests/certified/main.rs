@@ -9,6 +9,7 @@ mod check_chance;
 mod check_cli;
 mod check_mistakes;
 mod check_numpy;
+mod check_tables;
 mod inspect;
 mod inspect_cli;
 mod inspect_feet;
