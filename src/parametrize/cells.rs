@@ -9,7 +9,7 @@ use crate::exact::Rational;
 use crate::poly::{
     BinaryForm, IntegerPolynomial, divide_exactly, integer_sign, polynomial_gcd, primitive_part,
 };
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::{RealRoot, disjoint, real_roots};
 
 /// The circle [0, 2π] cut at the zeros of some forms: marks (the cuts, and 0 and 2π) and the open
 /// cells between them, in which no form changes its sign.
@@ -51,7 +51,8 @@ impl Cells {
             // f(0, 1) = 0 exactly if the degree in t is smaller than that of the form.
             vertical |= form.dehomogenized().coefficients_asc().len() <= form.degree();
         }
-        let tangents = real_roots(&product);
+        // With disjoint enclosures, no end of an enclosure is another mark, and there are numbers between two neighbors.
+        let tangents = disjoint(real_roots(&product));
         let (negative, other): (Vec<_>, Vec<_>) =
             tangents.into_iter().partition(|t| t.signum() < 0);
         let rational = |angle: ExactAngle, vector: Vector| Mark {
@@ -215,10 +216,6 @@ fn between((u0, v0): &Vector, (u1, v1): &Vector) -> Vector {
     if cross > 0 {
         return (u0 + u1, v0 + v1);
     }
-    if u0 == u1 && v0 == v1 {
-        // The enclosures of two tangents touch at this vector, and neither tangent is the end of its enclosure.
-        return (u0.clone(), v0.clone());
-    }
     // The marks are half a turn apart; the left normal of the first vector is between them.
     (-v0, u0.clone())
 }
@@ -226,6 +223,7 @@ fn between((u0, v0): &Vector, (u1, v1): &Vector) -> Vector {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn form(coefficients: &[i64]) -> BinaryForm {
         BinaryForm::from_coefficients(coefficients.iter().map(|&c| Integer::from(c)).collect())
@@ -281,5 +279,33 @@ mod tests {
         // The sets x > 0 and y > 0.
         assert_eq!(shown(&form(&[1, 0]), positive), "[0, pi/2) (3*pi/2, 2*pi]");
         assert_eq!(shown(&form(&[0, 1]), positive), "(0, pi)");
+    }
+
+    proptest! {
+        /// The zeros of `k·(q y − p x)² − x²` are irrational, or the isolation does not know that they are rational, and are near the
+        /// rational p/q, a zero of another form. Directions inside cells are no zeros, and the signs at marks are exact.
+        #[test]
+        fn zeros_that_are_near_each_other_are_told_apart(
+            (p, q) in (-40i64..41, 1i64..17),
+            k in prop::sample::select(vec![2i64, 3, 7, 100, 5_000, 80_003, 1 << 20, 3_000_017]),
+            others in prop::collection::vec(prop::collection::vec(-9i64..10, 2..5), 0..3),
+        ) {
+            let line = form(&[-p, q]);
+            let near = form(&[k * p * p - 1, -2 * k * p * q, k * q * q]);
+            let mut forms = vec![line, near];
+            forms.extend(others.iter().map(|c| form(c)));
+            let forms: Vec<&BinaryForm> = forms.iter().collect();
+            let cells = Cells::cut(&forms);
+            for inside in &cells.insides {
+                for (form, sign) in forms.iter().zip(&inside.signs) {
+                    prop_assert!(form.is_zero() || *sign != 0, "a cell has no zeros inside");
+                }
+            }
+            for mark in &cells.marks {
+                for (form, sign) in forms.iter().zip(&mark.place.signs) {
+                    prop_assert_eq!(*sign, mark.place.sign_of(form));
+                }
+            }
+        }
     }
 }

@@ -283,3 +283,46 @@ fn finite_roots_beside_an_infinite_one_are_kept() {
         assert!(single > 0, "{text}");
     }
 }
+
+/// Where a formula has a pole or a zero at a rational slope, and another one ends at an irrational slope near it, the roots between the
+/// two are those of the ranges.
+#[test]
+fn ranges_between_near_ends_are_right() {
+    use stellate::language::{Numbers, parse_form};
+    for (text, theta) in [
+        ("20x^3-40x^2*y-5x^2-25x+2y=0", 4.63254),
+        ("4x^3+2x^2*y-2x*y^2-4y^3+x^2+x*y/3-y^2-4x-5y=0", 0.785_45),
+        ("4x - 2y + 2x^3 + 3x*y^3 + 3y^4 = 0", 1.10716),
+        ("9x^2*y - 7x*y^2 - 2y^3 + 2x^2 - 5x + y = 0", 1.78952),
+    ] {
+        let Form::Curve(curve) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
+            panic!("a plane curve")
+        };
+        let found = parametrize(&curve, &Limits::none()).unwrap();
+        for theta in [
+            theta,
+            (theta + std::f64::consts::PI) % std::f64::consts::TAU,
+        ] {
+            let direction = Direction::from_radians(theta);
+            let Ray::Points(points) = RaySolver::new(curve.polynomial()).solve(&direction) else {
+                panic!("{text} has no line at {theta}")
+            };
+            // The origin is a point of the curve in every direction.
+            let roots: Vec<f64> = points.iter().map(|p| p.r).filter(|r| *r != 0.0).collect();
+            let count = |ranges: fn(&Branch) -> &[AngleRange]| {
+                let holds = |branch: &&Branch| {
+                    ranges(branch).iter().any(|range| {
+                        let end = |a: &stellate::parametrize::ExactAngle| {
+                            a.to_decimal(12).parse::<f64>().unwrap()
+                        };
+                        end(&range.from) < theta && theta < end(&range.to)
+                    })
+                };
+                found.branches.iter().filter(holds).count()
+            };
+            assert_eq!(count(|b| &b.real), roots.len(), "{text} at {theta}");
+            let positive = roots.iter().filter(|r| **r > 0.0).count();
+            assert_eq!(count(|b| &b.positive), positive, "{text} at {theta}");
+        }
+    }
+}
