@@ -1,129 +1,55 @@
-//! Points of parametric forms for drawing: doubles without certificate.
+//! Values of parameters for drawing, and coordinates of parametric forms in doubles without certificate.
 
 use super::{Parameter, ParametricCurve, Patch, PatchFunction};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
-use crate::roots::real_roots;
 
 /// The range of a parameter that is a number. A picture shows at least this part of a curve that goes to infinity, and exactly
 /// this part of a patch.
 pub(crate) const DRAWN_NUMBERS: [f64; 2] = [-1.5, 1.5];
 
 /// A value of s as the ratio of two doubles, so that s may be infinite.
-type Ratio = [f64; 2];
+pub(super) type Ratio = [f64; 2];
 
 impl Parameter {
-    /// `count + 1` values of s over the given range. Without a range they cover a full period of an angle, or all numbers
-    /// except infinity.
-    fn values(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Ratio> {
+    /// The largest magnitude of a number that is drawn; beyond are the infinite ends.
+    pub(super) const LARGEST_NUMBER: f64 = 6e8;
+
+    /// `count + 1` values over the given range. Without a range they cover a full period of an angle, or all numbers except
+    /// the infinite ends.
+    pub(super) fn values(&self, range: Option<[f64; 2]>, count: u32) -> Vec<f64> {
         let part = |k: u32| f64::from(k) / f64::from(count);
-        let between = |[a, b]: [f64; 2], k: u32| a + (b - a) * part(k);
+        let between = |[a, b]: [f64; 2], k: u32| a * (1.0 - part(k)) + b * part(k);
         match (self.step(), range) {
-            (Some(step), range) => {
-                let step = step.to_f64();
-                let range = range.unwrap_or([0.0, std::f64::consts::TAU / step]);
-                (0..=count)
-                    .map(|k| {
-                        let (sin, cos) = (between(range, k) * step / 2.0).sin_cos();
-                        [sin, cos]
-                    })
-                    .collect()
+            (_, Some(range)) => (0..=count).map(|k| between(range, k)).collect(),
+            (Some(step), None) => {
+                let period = std::f64::consts::TAU / step.to_f64();
+                (0..=count).map(|k| between([0.0, period], k)).collect()
             }
             (None, None) => {
-                // The tangent takes all numbers; its infinite ends are left out.
-                let right = std::f64::consts::FRAC_PI_2;
+                // The tangent takes all numbers.
+                let right = Self::LARGEST_NUMBER.atan();
                 (0..=count)
-                    .map(|k| {
-                        let angle = between([-right, right], k) * (1.0 - 1e-9);
-                        let (sin, cos) = angle.sin_cos();
-                        [sin, cos]
-                    })
+                    .map(|k| between([-right, right], k).tan())
                     .collect()
             }
-            (None, Some(range)) => (0..=count).map(|k| [between(range, k), 1.0]).collect(),
         }
     }
-}
 
-impl<const N: usize> ParametricCurve<N> {
-    /// Lines of points along the curve, about `count` points in all, over the range of the parameter. A line ends at a pole.
-    ///
-    /// Without a range the lines cover a full period of an angle, or all numbers.
-    #[must_use]
-    pub fn polylines(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Vec<[f64; N]>> {
-        let values = self.parameter().values(range, count.max(1));
-        let curve = self.in_doubles();
-        let mut lines: Vec<Vec<[f64; N]>> = vec![Vec::new()];
-        let mut signs: Option<[bool; N]> = None;
-        for s in values {
-            let forms = curve.forms(s);
-            let point = forms.map(|[p, q]| p / q);
-            let now = forms.map(|[_, q]| q > 0.0);
-            // At a pole the denominator changes its sign.
-            let jumps = signs.is_some_and(|before| before != now);
-            if jumps && !self.is_bounded() {
-                lines.push(Vec::new());
+    /// s for a value of the parameter, as the ratio of the coordinates of a unit vector.
+    pub(super) fn ratio(&self, value: f64) -> Ratio {
+        match self.step() {
+            Some(step) => {
+                let (sin, cos) = (value * step.to_f64() / 2.0).sin_cos();
+                [sin, cos]
             }
-            signs = Some(now);
-            if point.iter().all(|v| v.is_finite())
-                && let Some(line) = lines.last_mut()
-            {
-                line.push(point);
+            None => {
+                let length = value.hypot(1.0);
+                [value / length, length.recip()]
             }
         }
-        lines.retain(|line| line.len() > 1);
-        lines
     }
-
-    /// A box that shows the curve. If the curve is bounded, the box holds all of it; if not, the box holds most of its points
-    /// for parameters in the range, or between −3/2 and 3/2. `None` if no point is finite.
-    #[must_use]
-    pub fn extent(&self, range: Option<[f64; 2]>) -> Option<[[f64; 2]; N]> {
-        const POINTS: u32 = 720;
-        let bounded = self.is_bounded();
-        let range = if self.parameter().is_angle() || bounded {
-            range
-        } else {
-            range.or(Some(DRAWN_NUMBERS))
-        };
-        let lines = self.polylines(range, POINTS);
-        // Near poles the curve goes to infinity; then the largest and smallest values are left out.
-        let has_poles = !bounded && lines.len() > 1;
-        box_around(&lines.concat(), if has_poles { 0.05 } else { 0.0 })
-    }
-
-    /// Whether no coordinate has a real pole or a pole at infinity; this is decided exactly.
-    #[must_use]
-    pub fn is_bounded(&self) -> bool {
-        self.coordinates().iter().all(|f| {
-            let degree = |p: &IntegerPolynomial| p.coefficients_asc().len();
-            degree(f.numerator()) <= degree(f.denominator())
-                && real_roots(f.denominator()).is_empty()
-        })
-    }
-}
-
-/// The box around points. In each coordinate the given share of the smallest and of the largest values is left out, and the
-/// range of the others is made half as large again.
-fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f64; 2]; N]> {
-    let last = points.len().checked_sub(1)?;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "a share of a number of points"
-    )]
-    let skipped = (left_out * last as f64) as usize;
-    let mut bounds = [[0.0; 2]; N];
-    for (k, side) in bounds.iter_mut().enumerate() {
-        let mut values: Vec<f64> = points.iter().map(|p| p[k]).collect();
-        values.sort_unstable_by(f64::total_cmp);
-        let (low, high) = (values[skipped], values[last - skipped]);
-        let more = if skipped > 0 { (high - low) / 4.0 } else { 0.0 };
-        *side = [low - more, high + more];
-    }
-    Some(bounds)
 }
 
 /// The coordinates of a curve in doubles without certificate, as numerators and denominators in s.
@@ -184,7 +110,8 @@ impl Patch {
             } else {
                 ranges[k].or(Some(DRAWN_NUMBERS))
             };
-            parameter.values(range, counts[k].max(1))
+            let values = parameter.values(range, counts[k].max(1)).into_iter();
+            values.map(|v| parameter.ratio(v)).collect::<Vec<_>>()
         });
         let patch = self.in_doubles();
         let point = |at: [Ratio; 2]| patch.at(at);
@@ -241,41 +168,5 @@ impl Doubles {
             factor(0) * factor(1)
         };
         self.terms.iter().map(|(e, c)| c * monomial(e)).sum()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::shape::PlaneCurve;
-    use std::str::FromStr;
-
-    fn function(p: &str, q: &str) -> RationalFunction {
-        let polynomial = |text: &str| IntegerPolynomial::from_str(text).unwrap();
-        RationalFunction::from_integers(polynomial(p), polynomial(q)).unwrap()
-    }
-
-    #[test]
-    fn a_circle_is_closed_and_a_hyperbola_has_two_arms() {
-        let circle = [function("-x^2+1", "x^2+1"), function("2*x", "x^2+1")];
-        let circle = PlaneCurve::new(Parameter::angle("t", Rational::one()), circle);
-        let lines = circle.polylines(None, 100);
-        assert_eq!(lines.len(), 1);
-        assert!(
-            lines[0]
-                .iter()
-                .all(|[x, y]| (x * x + y * y - 1.0).abs() < 1e-12)
-        );
-        let (first, last) = (lines[0][0], lines[0][100]);
-        assert!((first[0] - last[0]).hypot(first[1] - last[1]) < 1e-12);
-
-        let hyperbola = [function("x", "1"), function("1", "x")];
-        let hyperbola = PlaneCurve::new(Parameter::number("t"), hyperbola);
-        assert!(!hyperbola.is_bounded());
-        let lines = hyperbola.polylines(None, 101);
-        assert_eq!(lines.len(), 2);
-        // The box shows the middle of the hyperbola, not the parts that go to infinity.
-        let [x, y] = hyperbola.extent(None).unwrap();
-        assert!(x[1] < 3.0 && y[1] < 40.0, "{x:?} {y:?}");
     }
 }

@@ -3,6 +3,7 @@
 mod contour;
 mod crossing;
 mod curve;
+mod curve_values;
 mod drawn;
 mod elliptic;
 mod fourier;
@@ -16,6 +17,7 @@ mod orientation;
 mod parameter;
 mod patch;
 mod points;
+mod polyline;
 mod radial;
 mod repair;
 mod solid;

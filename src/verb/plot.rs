@@ -145,7 +145,8 @@ impl Drawing {
             }
             Content::Exact(Form::PlaneCurve(curve)) => {
                 let range = range_of(curve.parameter(), &options.ranges);
-                self.layers.push(parametric(&curve, &name, range));
+                let window = plane_window(options.window)?;
+                self.layers.push(parametric(&curve, &name, range, window));
                 if let Some([x, y]) = curve.extent(range) {
                     self.seen.extend([[x[0], y[0]], [x[1], y[1]]]);
                 }
@@ -246,12 +247,18 @@ fn fitted(fit: &OutlineSeries, name: &str) -> Layer {
     }
 }
 
-fn parametric(curve: &PlaneCurve, name: &str, range: Option<[f64; 2]>) -> Layer {
+fn parametric(
+    curve: &PlaneCurve,
+    name: &str,
+    range: Option<[f64; 2]>,
+    window: Option<Window>,
+) -> Layer {
+    let area = window.map(|window| [window.x, window.y]);
     let said = range_text(curve.parameter(), range);
     let said = said.map(|text| format!(", {text}")).unwrap_or_default();
     Layer {
         label: format!("parametric curve, {name}{said}"),
-        lines: curve.polylines(range, CURVE_POINTS),
+        lines: curve.polylines_in(area, range, CURVE_POINTS),
         ..Layer::default()
     }
 }

@@ -1,0 +1,226 @@
+//! The coordinates of a parametric curve for drawing: in doubles where these have enough digits, else from exact values.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::logic::traits::SignificantBits;
+
+use super::ParametricCurve;
+use super::drawn::Ratio;
+use crate::exact::{Dyadic, Rational};
+use crate::poly::{
+    BinaryForm, IntegerPolynomial, RationalFunction, harmonics_of_form, integer_sign, numerator_at,
+};
+
+/// Values in doubles are taken if their error is at most this share of them.
+const SMALL: f64 = 1.0 / (1 << 24) as f64;
+
+/// Harmonics in doubles are taken if their error is at most this share of the sum of all amplitudes.
+const SMALL_IN_HARMONICS: f64 = 1.0 / (1 << 30) as f64;
+
+/// Sums of magnitudes that are smaller than this are not evaluated in doubles.
+const TINY: f64 = 1e-280;
+
+/// The coordinates of a curve, to be evaluated many times.
+#[derive(Debug)]
+pub(super) struct CurveValues<const N: usize> {
+    coordinates: [Coordinate; N],
+}
+
+/// A value for drawing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Value {
+    /// The coordinate; it is not finite at a pole.
+    pub(super) value: f64,
+    /// Whether the denominator is positive. At a pole of odd order this changes.
+    pub(super) is_above: bool,
+}
+
+/// A numerator and a denominator as forms of one degree in (a, b), where s = a/b.
+#[derive(Debug)]
+struct Coordinate {
+    exact: RationalFunction,
+    degree: usize,
+    forms: [Form; 2],
+}
+
+#[derive(Debug)]
+enum Form {
+    /// The coefficients, ascending in s.
+    Coefficients(Vec<f64>),
+    /// The harmonics (m, cosine, sine) of the angle h with s = tan h. The sum of the amplitudes is `size`.
+    Harmonics {
+        waves: Vec<(usize, f64, f64)>,
+        size: f64,
+    },
+}
+
+/// A value in doubles, and a bound of its error.
+struct Near {
+    value: f64,
+    error: f64,
+    /// An error that is smaller than this does not matter, however small the value is.
+    negligible: f64,
+}
+
+impl<const N: usize> CurveValues<N> {
+    pub(super) fn of(curve: &ParametricCurve<N>) -> Self {
+        let is_angle = curve.parameter().is_angle();
+        Self {
+            coordinates: curve
+                .coordinates()
+                .each_ref()
+                .map(|f| Coordinate::new(f, is_angle)),
+        }
+    }
+
+    /// The coordinates at s = a/b. For an angle, (a, b) is a unit vector.
+    pub(super) fn at(&self, s: Ratio) -> [Value; N] {
+        self.coordinates.each_ref().map(|c| c.at(s))
+    }
+}
+
+impl Coordinate {
+    fn new(f: &RationalFunction, is_angle: bool) -> Self {
+        let degree = f.degree();
+        let form = |p: &IntegerPolynomial| {
+            if is_angle {
+                Form::harmonics(p, degree)
+            } else {
+                let coefficients = p.coefficients_asc().iter();
+                Form::Coefficients(coefficients.map(|c| Rational::whole(c).to_f64()).collect())
+            }
+        };
+        Self {
+            forms: [form(f.numerator()), form(f.denominator())],
+            exact: f.clone(),
+            degree,
+        }
+    }
+
+    fn at(&self, s: Ratio) -> Value {
+        let [above, below] = self.forms.each_ref().map(|form| form.at(s, self.degree));
+        let is_good = |near: &Near, negligible: f64| {
+            near.value.is_finite()
+                && (near.error <= near.value.abs() * SMALL || near.error <= negligible)
+        };
+        if is_good(&above, above.negligible) && is_good(&below, 0.0) {
+            return Value {
+                value: above.value / below.value,
+                is_above: below.value > 0.0,
+            };
+        }
+        self.exactly_at(s)
+    }
+
+    /// The coordinate from exact values of the numerator and the denominator.
+    fn exactly_at(&self, [a, b]: Ratio) -> Value {
+        let (above, below) = (self.exact.numerator(), self.exact.denominator());
+        let is_turned = b < 0.0 && !self.degree.is_multiple_of(2);
+        let Some(s) = Dyadic::from_f64(a / b) else {
+            // s is infinite.
+            let value = self.exact.evaluate_at_infinity();
+            return Value {
+                value: value.map_or(f64::INFINITY, |v| v.to_f64()),
+                is_above: !is_turned,
+            };
+        };
+        let [p, q] = [above, below].map(|f| numerator_at(f, &s));
+        let degree = |f: &IntegerPolynomial| f.coefficients_asc().len().saturating_sub(1);
+        // The value of a polynomial of degree d has been multiplied by 2^(d·shift).
+        let shift = s.exponent().min(0).unsigned_abs();
+        let lifted = |value, f| value << (shift * (self.degree - degree(f)) as u64);
+        Value {
+            is_above: (integer_sign(&q) > 0) != is_turned,
+            value: quotient(&lifted(p, above), &lifted(q, below)),
+        }
+    }
+}
+
+/// About p/q, from their first 64 bits; not finite for q = 0.
+fn quotient(p: &Integer, q: &Integer) -> f64 {
+    let first_bits = |value: &Integer| {
+        let dropped = value.significant_bits().saturating_sub(64);
+        let kept = Rational::whole(&(value >> dropped)).to_f64();
+        (kept, i32::try_from(dropped).unwrap_or(i32::MAX))
+    };
+    let ((p, p_dropped), (q, q_dropped)) = (first_bits(p), first_bits(q));
+    // The quotient of the first bits is at most 2^64, so that no scale below overflows before the value does.
+    let scale = p_dropped.saturating_sub(q_dropped);
+    let half = scale / 2;
+    p / q * 2f64.powi(half) * 2f64.powi(scale - half)
+}
+
+impl Form {
+    fn harmonics(f: &IntegerPolynomial, degree: usize) -> Self {
+        if *f == IntegerPolynomial::ZERO {
+            return Self::Coefficients(Vec::new());
+        }
+        // The first variable is cos h.
+        let form = BinaryForm::from_dehomogenized(degree, f.clone());
+        let waves = harmonics_of_form(&form).into_iter();
+        let waves: Vec<_> = waves
+            .map(|(m, cos, sin)| (m, cos.to_f64(), sin.to_f64()))
+            .collect();
+        let size = waves
+            .iter()
+            .map(|(_, cos, sin)| cos.abs() + sin.abs())
+            .sum();
+        Self::Harmonics { waves, size }
+    }
+
+    fn at(&self, [a, b]: Ratio, degree: usize) -> Near {
+        let length = f64::from(u32::try_from(degree).unwrap_or(u32::MAX));
+        let operations = 8.0 * (length + 4.0) * f64::EPSILON;
+        match self {
+            Self::Coefficients(coefficients) => {
+                let (mut value, mut size, mut power) = (0.0, 0.0, 1.0);
+                let mut smallest_power = 1.0;
+                for k in (0..=degree).rev() {
+                    smallest_power = f64::abs(power);
+                    let term = coefficients.get(k).unwrap_or(&0.0) * power;
+                    value = value * a + term;
+                    size = size * a.abs() + term.abs();
+                    power *= b;
+                }
+                // With numbers near the ends of the doubles, rounding is no small share of them.
+                let is_plain = coefficients.is_empty() || size > TINY && smallest_power > TINY;
+                Near {
+                    value,
+                    error: if is_plain {
+                        size * operations
+                    } else {
+                        f64::INFINITY
+                    },
+                    negligible: 0.0,
+                }
+            }
+            Self::Harmonics { waves, size } => {
+                // (cos mh, sin mh) for the m of one parity
+                let turn = [b * b - a * a, 2.0 * a * b];
+                let mut wave = if degree.is_multiple_of(2) {
+                    [1.0, 0.0]
+                } else {
+                    [b, a]
+                };
+                let mut value = 0.0;
+                for (_, cos, sin) in waves {
+                    value += cos * wave[0] + sin * wave[1];
+                    wave = [
+                        wave[0] * turn[0] - wave[1] * turn[1],
+                        wave[0] * turn[1] + wave[1] * turn[0],
+                    ];
+                }
+                let is_plain = *size > TINY;
+                Near {
+                    value,
+                    error: if is_plain {
+                        size * operations
+                    } else {
+                        f64::INFINITY
+                    },
+                    negligible: size * SMALL_IN_HARMONICS,
+                }
+            }
+        }
+    }
+}
