@@ -169,6 +169,13 @@ pub(super) fn equation(
     let meets_the_origin = zeros.at_infinity || !real_roots(&zeros.polynomial).is_empty();
     let vanishes_there = f.lowest_degree() != Some(0);
     if vanishes_there && !meets_the_origin {
+        let has_poles = poles.at_infinity || !real_roots(&poles.polynomial).is_empty();
+        let at_zero = |f: &TrigPolynomial| f.harmonics().map(|(_, [cos, _])| cos.clone()).sum();
+        let [p, q]: [Rational; 2] = [&above, &below].map(at_zero);
+        let is_negative = !has_poles && p.signum() * q.signum() < 0;
+        if is_negative && k.is_multiple_of(2) {
+            return refuse("this is negative at every angle, so no r has it as its even power");
+        }
         return refuse(
             "this curve does not meet the origin, but every polynomial that is 0 on it is 0 there, too; where that does \
              no harm, give the equation in x and y",

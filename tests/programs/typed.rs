@@ -139,6 +139,11 @@ fn what_is_refused_names_what_would_be_right() {
             "give the equation in x and y",
         ),
         (
+            "r^2 = 2*cos(2t) - 3",
+            "2*cos(2t) - 3",
+            "negative at every angle",
+        ),
+        (
             "r^2 = sin(2t)/sin(t)",
             "sin(2t)",
             "divide both by their common factor",
