@@ -9,8 +9,9 @@ use stellate::fit::FitSize;
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::parametrize::{
-    BranchFit, BranchFitOptions, Parametrization, fit_branch, parametrize,
+    BranchFit, BranchFitOptions, BranchRadius, ExactAngle, Parametrization, fit_branch, parametrize,
 };
+use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::Form;
 
 use crate::common::program::{done, json, run_in};
@@ -288,4 +289,43 @@ fn a_tolerance_that_no_series_meets_is_refused() {
         "{message}"
     );
     assert!(refused(0.0, 64).contains("greater than 0"));
+}
+
+/// At angles at which a root is infinite there are fewer roots: no branch keeps its rank there.
+#[test]
+fn ranks_are_those_of_all_angles_in_their_ranges() {
+    for text in [
+        "-x^3*y^2 + 3*x^3 + x^2*y^2 - 3*x^2 + x*y^2 + 2*x - 2*y^4 + 3*y^2 + 3 = 0",
+        "x^6 - x^4 - y - 1 = 0",
+        "-x^3*y^2 - 2*x^2 - x*y^2 + 3*y^4 + y^2 + 1 = 0",
+        ROUND,
+    ] {
+        let Form::Curve(curve) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
+            panic!("a plane curve")
+        };
+        let found = parametrize(&curve, &Limits::none()).unwrap();
+        let mut asked = 0;
+        for angle in ["0", "pi/2", "pi", "3*pi/2", "1", "2", "3", "4", "5", "6"] {
+            let direction: Direction = angle.parse().unwrap();
+            let Ray::Points(points) = RaySolver::new(curve.polynomial()).solve(&direction) else {
+                continue;
+            };
+            let count: usize = points.iter().map(|p| p.multiplicity).sum();
+            for branch in &found.branches {
+                let BranchRadius::Root(root) = &branch.radius else {
+                    continue;
+                };
+                for arc in root.arcs() {
+                    let end = |a: &ExactAngle| a.to_decimal(12).parse::<f64>().unwrap();
+                    let theta = direction.theta();
+                    let range = end(&arc.range.from) + 1e-9..end(&arc.range.to) - 1e-9;
+                    if range.contains(&theta) {
+                        assert_eq!(arc.of, count, "{text} at {angle}");
+                        asked += 1;
+                    }
+                }
+            }
+        }
+        assert!(asked > 5, "{text}");
+    }
 }

@@ -195,6 +195,13 @@ impl Tracing {
 }
 
 impl Graph {
+    /// Whether all radii are finite at the angle between two sectors.
+    fn is_finite_between(&self, before: usize, after: usize) -> bool {
+        let ends = self.limits[before].iter().map(|limits| limits[1]);
+        let begins = self.limits[after].iter().map(|limits| limits[0]);
+        ends.chain(begins).all(|limit| limit.is_some())
+    }
+
     /// Adds the connections between two neighbouring sectors.
     fn add(&mut self, before: usize, after: usize, link: &Link, odd: bool) {
         let limit = |radius: &SignedRoot, side: usize| {
@@ -317,7 +324,8 @@ impl Graph {
 }
 
 impl RootBranch {
-    /// The maximal angle ranges in which the branch has a fixed rank among the real radii.
+    /// The maximal angle ranges in which the branch has a fixed rank among the real radii, counted with multiplicity. Where a radius is
+    /// infinite there are fewer, so a range ends there.
     #[must_use]
     pub fn arcs(&self) -> Vec<RootArc> {
         let graph = &self.tracing.graph;
@@ -336,7 +344,12 @@ impl RootBranch {
             let of = graph.radii[sector].len();
             let rank = of - 1 - index;
             match arcs.last_mut() {
-                Some((last, arc)) if *last + 1 == sector && arc.rank == rank && arc.of == of => {
+                Some((last, arc))
+                    if *last + 1 == sector
+                        && arc.rank == rank
+                        && arc.of == of
+                        && graph.is_finite_between(*last, sector) =>
+                {
                     arc.range.to = end(sector);
                     *last = sector;
                 }
