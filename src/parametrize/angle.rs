@@ -318,6 +318,12 @@ impl AngleRange {
         }
     }
 
+    /// Whether the range is the full circle.
+    pub(crate) fn is_full_circle(&self) -> bool {
+        let is = |angle: &ExactAngle, n: i32| matches!(angle, ExactAngle::Pi(q) if *q == Rational::from(n));
+        self.closed == [true, true] && is(&self.from, 0) && is(&self.to, 2)
+    }
+
     /// Whether the range is a single angle.
     #[must_use]
     pub fn is_point(&self) -> bool {

@@ -128,7 +128,7 @@ pub fn is_positive(radius: &FourierRadius) -> bool {
 
 /// Whether these ranges are the full circle.
 pub(crate) fn is_full_circle(ranges: &[AngleRange]) -> bool {
-    matches!(ranges, [only] if only.closed == [true, true])
+    matches!(ranges, [only] if only.is_full_circle())
 }
 
 /// `(1 + t²)^N r(2 arctan t)` times a positive constant.
