@@ -356,7 +356,7 @@ pub(crate) struct Parametrize {
     /// An implicit polynomial in x, y or in x, y, z, a Fourier radius, a superquadric or a contour
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
-    /// For a surface: the exact ranges of phi on the meridian with this angle; may be repeated
+    /// For a surface: the exact ranges of phi on the meridian with this angle, for the rational unit vector that is printed; may be repeated
     #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = angle)]
     pub(crate) theta: Vec<Angle>,
     /// For a surface: what is certain in every direction (theta, phi) with these angles; may be repeated

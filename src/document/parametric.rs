@@ -19,7 +19,9 @@ use super::source::{SourceField, source_field, write_radii, write_source};
 use super::{Format, Kind, SCHEMA, center_comment};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::parametrize::{Branch, BranchFit, BranchRadius, Parametrization, PolarMethod};
+use crate::parametrize::{
+    Branch, BranchFit, BranchRadius, Parametrization, PolarMethod, is_full_circle,
+};
 use crate::shape::{Form, FourierRadius};
 
 #[derive(Serialize)]
@@ -70,6 +72,8 @@ struct BranchEntry {
 /// Writes the polar form of a curve: expressions for r, x and y of every branch, the ranges in which r is real and in which it
 /// is positive, to `digits` decimals, the lines through the origin, and the exact Fourier coefficients if a radius is a series.
 ///
+/// In LaTeX, SymPy and Maple comments after the formulas say where they hold, unless that is everywhere.
+///
 /// Text begins with comments. The first branch is a formula `r = …`, which can be read back if it is a series.
 ///
 /// # Errors
@@ -104,6 +108,23 @@ pub(crate) fn write_parametrization(
                 ));
             }
             write_radii("r", &all, format, out)?;
+            let has_formula = |(_, b): &(usize, &Branch)| radius_text(&b.radius, format).is_some();
+            let branches = || curve.branches.iter().enumerate().filter(has_formula);
+            let mut comments = Vec::new();
+            if !branches().all(|(_, branch)| is_full_circle(&branch.real)) {
+                let all = branches().map(|(index, branch)| branch_comment(index, branch, digits));
+                comments.extend(all);
+            }
+            comments.extend(
+                fit.map(|fit| fit_comments(fit, digits))
+                    .into_iter()
+                    .flatten(),
+            );
+            // A formula in LaTeX cannot be read back, but its reader wants to know where r begins.
+            comments.extend(center_comment(&curve.center).filter(|_| format == Format::Latex));
+            for comment in comments {
+                writeln!(out, "{} {comment}", format.comment())?;
+            }
             write_source(source, format, out)?;
             write_rational(curve, format, out)
         }
@@ -211,16 +232,7 @@ fn write_text(
     }
     let mut formulas = 0;
     for (index, branch) in curve.branches.iter().enumerate() {
-        let real = ranges_text(&ranges(&branch.real, digits));
-        let positive = ranges_text(&ranges(&branch.positive, digits));
-        let valid = match branch.radius {
-            BranchRadius::Closed(_) if !branch.holds_where_real => "; the formula holds there only",
-            _ => "",
-        };
-        writeln!(
-            out,
-            "# branch {index}: r real for {real}; r > 0 for {positive}{valid}"
-        )?;
+        writeln!(out, "# {}", branch_comment(index, branch, digits))?;
         match radius_text(&branch.radius, Format::Text) {
             Some(radius) => {
                 let hidden = if formulas > 0 { "# " } else { "" };
@@ -242,6 +254,17 @@ fn write_text(
         )?;
     }
     write_rational(curve, Format::Text, out)
+}
+
+/// Where a branch is real and where r > 0, and whether its formula has other values elsewhere.
+fn branch_comment(index: usize, branch: &Branch, digits: u32) -> String {
+    let real = ranges_text(&ranges(&branch.real, digits));
+    let positive = ranges_text(&ranges(&branch.positive, digits));
+    let valid = match branch.radius {
+        BranchRadius::Closed(_) if !branch.holds_where_real => "; the formula holds there only",
+        _ => "",
+    };
+    format!("branch {index}: r real for {real}; r > 0 for {positive}{valid}")
 }
 
 /// The findings about rational parametrizations, as comments.

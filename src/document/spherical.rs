@@ -11,9 +11,9 @@ use super::parametric::validity;
 use super::source::{SourceField, source_field, write_radii, write_source};
 use super::{Format, Kind, SCHEMA, center_comment};
 use crate::error::{Error, Result};
-use crate::parametrize::{SurfaceMethod, SurfaceParametrization};
+use crate::parametrize::{SurfaceBranch, SurfaceMethod, SurfaceParametrization};
 use crate::poly::SpacePolynomial;
-use crate::sample::Ray;
+use crate::sample::{Ray, UnitVector};
 use crate::verb::{InDirection, OnMeridian};
 use malachite::Integer;
 
@@ -76,6 +76,8 @@ struct SpaceFormulas {
 #[derive(Serialize)]
 struct MeridianEntry {
     theta: f64,
+    /// The rational numbers cos θ and sin θ for which the ranges are exact.
+    direction: [String; 2],
     branches: Vec<MeridianBranchEntry>,
 }
 
@@ -92,6 +94,8 @@ struct MeridianBranchEntry {
 struct DirectionEntry {
     theta: f64,
     phi: f64,
+    /// The rational unit vector for which the answers are exact.
+    direction: [String; 3],
     /// The sign of every factor's discriminant.
     discriminants: Vec<Option<i8>>,
     /// The sign of R on every branch, null where it is not real.
@@ -128,6 +132,19 @@ pub(crate) fn write_surface_parametrization(
             let branches = surface.branches.iter();
             let radii = branches.map(|b| expression_text(&b.radius, format));
             write_radii("R", &radii.collect::<Vec<_>>(), format, out)?;
+            let mut comments = Vec::new();
+            if surface.branches.iter().any(|b| b.condition != "everywhere") {
+                let branches = surface.branches.iter().enumerate();
+                comments.extend(factor_comments(surface));
+                comments.extend(branches.map(|(index, branch)| branch_comment(index, branch)));
+            }
+            let center = surface.center().and_then(|center| center_comment(center));
+            for comment in comments
+                .into_iter()
+                .chain(center.filter(|_| format == Format::Latex))
+            {
+                writeln!(out, "{} {comment}", format.comment())?;
+            }
             write_source(Some(&surface.of), format, out)
         }
     }
@@ -163,31 +180,14 @@ fn write_text(
         writeln!(out, "# {comment}")?;
     }
     write_source(Some(&surface.of), Format::Text, out)?;
-    for (index, factor) in surface.factors.iter().enumerate() {
-        if factor.is_cone() {
-            writeln!(
-                out,
-                "# factor {index} is a cone: {} = 0 for every R",
-                forms_text(&factor.polynomial)
-            )?;
-        }
-        if let Some(form) = &factor.discriminant {
-            writeln!(
-                out,
-                "# factor {index}: discriminant D = {}",
-                form_text(form, Format::Text).0
-            )?;
-        }
+    for comment in factor_comments(surface) {
+        writeln!(out, "# {comment}")?;
     }
     for note in &surface.notes {
         writeln!(out, "# note: {note}")?;
     }
     for (index, branch) in surface.branches.iter().enumerate() {
-        let valid = match branch.holds_where_real {
-            true => "",
-            false => "; the formula holds there only",
-        };
-        writeln!(out, "# branch {index}: real {}{valid}", branch.condition)?;
+        writeln!(out, "# {}", branch_comment(index, branch))?;
         let hidden = if index > 0 { "# " } else { "" };
         writeln!(
             out,
@@ -204,6 +204,31 @@ fn write_text(
     Ok(())
 }
 
+/// Which factors are cones, and the discriminants of the others, to which the conditions of the branches refer.
+fn factor_comments(surface: &SurfaceParametrization) -> Vec<String> {
+    let mut comments = Vec::new();
+    for (index, factor) in surface.factors.iter().enumerate() {
+        if factor.is_cone() {
+            let cone = forms_text(&factor.polynomial);
+            comments.push(format!("factor {index} is a cone: {cone} = 0 for every R"));
+        }
+        if let Some(form) = &factor.discriminant {
+            let (text, _) = form_text(form, Format::Text);
+            comments.push(format!("factor {index}: discriminant D = {text}"));
+        }
+    }
+    comments
+}
+
+/// Where a branch is real, and whether its formula has other values elsewhere.
+fn branch_comment(index: usize, branch: &SurfaceBranch) -> String {
+    let valid = match branch.holds_where_real {
+        true => "",
+        false => "; the formula holds there only",
+    };
+    format!("branch {index}: real {}{valid}", branch.condition)
+}
+
 fn forms_text(polynomial: &SpacePolynomial) -> String {
     let texts = polynomial
         .homogeneous_degrees()
@@ -213,7 +238,12 @@ fn forms_text(polynomial: &SpacePolynomial) -> String {
 }
 
 fn write_meridian(meridian: &OnMeridian, digits: u32, out: &mut dyn Write) -> Result<()> {
-    writeln!(out, "# on the meridian theta = {}:", meridian.theta.theta())?;
+    let [cos, sin] = meridian.theta.components();
+    writeln!(
+        out,
+        "# on the meridian theta = {}, that of the exact vector ({cos}, {sin}):",
+        meridian.theta.theta()
+    )?;
     let real = meridian.branches.iter().filter(|b| !b.real.is_empty());
     let mut shown = 0;
     for branch in real {
@@ -234,9 +264,10 @@ fn write_meridian(meridian: &OnMeridian, digits: u32, out: &mut dyn Write) -> Re
 
 fn write_direction(written: &InDirection, out: &mut dyn Write) -> Result<()> {
     let (theta, phi) = (&written.direction.theta(), written.direction.phi());
+    let [u, v, w] = written.direction.components();
     writeln!(
         out,
-        "# in the direction theta = {}, phi = {}:",
+        "# in the direction theta = {}, phi = {}, that of the exact vector ({u}, {v}, {w}):",
         theta.theta(),
         phi.theta()
     )?;
@@ -357,6 +388,7 @@ fn meridian_entry(meridian: &OnMeridian, digits: u32) -> MeridianEntry {
     });
     MeridianEntry {
         theta: meridian.theta.theta(),
+        direction: meridian.theta.components().map(|u| u.to_string()),
         branches: branches.collect(),
     }
 }
@@ -369,6 +401,7 @@ fn direction_entry(written: &InDirection) -> DirectionEntry {
     DirectionEntry {
         theta: written.direction.theta().theta(),
         phi: written.direction.phi().theta(),
+        direction: written.direction.components().map(|u| u.to_string()),
         discriminants: written.answer.discriminants.clone(),
         signs: written.answer.branches.clone(),
         radii: radii.collect(),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::common::program::{done, done_in, json, piped, run_in};
+use crate::common::program::{done, done_in, json, number, piped, run_in, strings};
 use tempfile::tempdir;
 
 const SPHERE: &str = "x^2 + y^2 + z^2 = 4x - 3";
@@ -30,6 +30,54 @@ fn parametrize_writes_closed_forms() {
     );
     let latex = done(&["parametrize", "x^2+y^2+z^2=4x", "--format", "latex"]);
     assert_eq!(latex, "R = 4 \\sin \\phi \\cos \\theta\n");
+}
+
+/// What a formula is real for is not lost in the formats for other programs.
+#[test]
+fn formulas_for_other_programs_say_where_they_hold() {
+    for (form, expected) in [
+        (
+            "x^4 + y^4 = 1 + x",
+            "branch 4: r real for theta in [pi/2, pi/2] and [3*pi/2, 3*pi/2]; r > 0 for theta in [pi/2, pi/2] and [3*pi/2, 3*pi/2]; the formula holds there only",
+        ),
+        (
+            "x^6 + y^6 + x*y^3 = 1 + x",
+            "Fourier fit of branch 1: N = 20, 256 samples; |error| <= ",
+        ),
+        (SPHERE, "branch 0: real where D >= 0"),
+        (SPHERE, "factor 0: discriminant D = "),
+    ] {
+        for (format, comment) in [("latex", "%"), ("sympy", "#"), ("maple", "#")] {
+            let found = done(&["parametrize", form, "--format", format]);
+            let line = format!("{comment} {expected}");
+            assert!(
+                found.lines().any(|l| l.starts_with(&line)),
+                "{form}, {format}: {found}"
+            );
+        }
+    }
+    // Formulas that hold everywhere need no comment.
+    let ellipse = done(&["parametrize", "x^2/4 + y^2 = 1", "--format", "latex"]);
+    assert!(!ellipse.contains("branch"), "{ellipse}");
+}
+
+/// An angle such as 45° stands for a rational vector near it, whose answers can be others.
+#[test]
+fn the_exact_vector_of_a_meridian_is_told() {
+    let arguments = ["parametrize", SPHERE, "--theta", "45deg", "--phi", "1"];
+    let document = json(&done(&[&arguments[..], &["--format", "json"]].concat()));
+    let vector = strings(&document["directions"][0]["direction"]);
+    let numbers: Vec<f64> = vector.iter().map(|u| number(u)).collect();
+    let length: f64 = numbers.iter().map(|u| u * u).sum();
+    assert!((length - 1.0).abs() < 1e-15 && (numbers[2] - 1f64.cos()).abs() < 1e-15);
+    let text = done(&arguments);
+    let line = format!("that of the exact vector ({}):", vector.join(", "));
+    assert!(text.contains(&line), "{text}");
+    let meridian = done(&["parametrize", SPHERE, "--theta", "90deg"]);
+    assert!(
+        meridian.contains("theta = 1.5707963267948966, that of the exact vector (0, 1):"),
+        "{meridian}"
+    );
 }
 
 #[test]
