@@ -19,6 +19,9 @@ use crate::shape::FourierRadius;
 /// How narrow the parameter of an extremum is known before the extremum is bounded.
 const PARAMETER_BITS: i64 = -160;
 
+/// Numerator and denominator of a short fraction have at most this many bits each.
+const SHORT_BITS: u64 = 64;
+
 impl Topology {
     /// The topology of the zero set of the equation of a radius, relative to its centre. `origin_multiplicity` is the multiplicity of
     /// the origin on the curve of the (reduced) equation.
@@ -174,7 +177,7 @@ fn even_part(series: &FourierRadius) -> FourierRadius {
     )
 }
 
-/// The value of a series at s = tan(θ/2), or at θ = π, within bounds.
+/// The value of a series at s = tan(θ/2), or at θ = π, within bounds; exactly if it is a short fraction.
 ///
 /// |f(s) − f(m)| ≤ 2 |s − m| max |df/dθ| because dθ/ds = 2/(1 + s²), and |df/dθ| ≤ Σ n (|a_n| + |b_n|).
 fn value(series: &FourierRadius, at: Option<&RealRoot>) -> [Rational; 2] {
@@ -199,7 +202,14 @@ fn value(series: &FourierRadius, at: Option<&RealRoot>) -> [Rational; 2] {
         .fold(Rational::zero(), |sum, term| sum + term);
     let bound = (&high - &low) * Rational::from(2) * slope;
     let middle = function.evaluate(&low).invariant("1 + s² is not 0");
-    [&middle - &bound, middle + bound]
+    let [low, high] = [&middle - &bound, middle + bound];
+    // A short fraction, such as the radius of a circle that is off center, is recognized.
+    let short = Rational::simplest_between(&low, &high);
+    let is_short = short.bits() <= SHORT_BITS;
+    if is_short && root.is_root_of(function.plus_constant(&-&short).numerator()) {
+        return [short.clone(), short];
+    }
+    [low, high]
 }
 
 /// The smallest and the largest value of a series.

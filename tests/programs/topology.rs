@@ -47,6 +47,23 @@ fn components_extents_and_what_contains_what() {
     );
 }
 
+/// Ends that are short fractions are exact, for a radius, too, and for an equation that is recognized as one.
+#[test]
+fn rational_extents_are_exact() {
+    for (form, expected) in [
+        ("(x-3)^2 + y^2 = 9", [["0", "6"], ["-3", "3"]]),
+        ("x^2 + y^2 = 6x + 8y", [["-2", "8"], ["-1", "9"]]),
+        ("r = 4*sin(t)", [["-2", "2"], ["0", "4"]]),
+    ] {
+        let found = topology(form);
+        let extent = &list(&found, "components")[0]["extent"];
+        assert_eq!(*extent, serde_json::json!(expected), "{form}");
+    }
+    let found = topology("r = 1 + 2*cos(t)");
+    let x = &list(&found, "components")[0]["extent"][0];
+    assert_eq!(*x, serde_json::json!(["-0.125", "3"]));
+}
+
 #[test]
 fn the_isolated_point_of_the_issue() {
     let found = topology("y^2=(x-1)^2*(x-2)");
