@@ -4,7 +4,7 @@ use malachite::Integer;
 
 use super::forms::{LemmaForm, constant, negative, product, square_part};
 use super::lemma4::{cosine_root, sum_of_cube_roots};
-use super::quartic::{Index, depressed, discriminant};
+use super::quartic::{Index, ROOTS, depressed, discriminant};
 use super::quartic_signs::Critical;
 use super::{Rule, Solved, symmetric};
 use crate::parametrize::expression::Expression;
@@ -23,7 +23,7 @@ pub(super) fn lemma_5<F: LemmaForm>(parts: [&F; 5]) -> Solved<F> {
     let quartic = Quartic::new(parts);
     let roots = if quartic.b.is_zero() {
         let formula = |index| (quartic.symmetric(index), Rule::SymmetricQuartic(index));
-        symmetric::ROOTS.map(formula).to_vec()
+        ROOTS.map(formula).to_vec()
     } else {
         quartic.all_roots()
     };
@@ -103,10 +103,9 @@ impl<F: LemmaForm> Quartic<F> {
     fn all_roots(&self) -> Vec<(Expression<F>, Rule)> {
         let mut roots = Vec::new();
         for cosine in [false, true] {
-            for (pair, sign) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
-                let index = Index { pair, sign };
+            for index in ROOTS {
                 let rule = Rule::Quartic { cosine, index };
-                roots.push((self.general(cosine, pair, sign), rule));
+                roots.push((self.general(cosine, index), rule));
             }
         }
         // The outer roots of the symmetric quartic are the two real ones for m = 0.
@@ -118,7 +117,7 @@ impl<F: LemmaForm> Quartic<F> {
     }
 
     /// The roots for m > 0.
-    fn general(&self, cosine: bool, pair: i8, sign: i8) -> Expression<F> {
+    fn general(&self, cosine: bool, Index { pair, sign }: Index) -> Expression<F> {
         let w = if cosine {
             cosine_root(&self.resolvent_p, &self.resolvent_b, 0)
         } else {

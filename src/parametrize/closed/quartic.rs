@@ -10,6 +10,14 @@ pub(in crate::parametrize) struct Index {
     pub(super) sign: i8,
 }
 
+/// The names of four real roots, from the largest y to the smallest.
+pub(super) const ROOTS: [Index; 4] = [
+    Index { pair: 1, sign: 1 },
+    Index { pair: 1, sign: -1 },
+    Index { pair: -1, sign: 1 },
+    Index { pair: -1, sign: -1 },
+];
+
 /// 256s³v³ − 192s²puv² − 128s²q²v² + 144s²qu²v − 27s²u⁴ + 144sp²qv² − 6sp²u²v − 80spq²uv + 18spqu³ + 16sq⁴v −
 /// 4sq³u² − 27p⁴v² + 18p³quv − 4p³u³ − 4p²q³v + p²q²u²
 pub(super) fn discriminant<F: LemmaForm>([s, p, q, u, v]: [&F; 5]) -> F {

@@ -1,22 +1,15 @@
 //! Quartics in R whose four roots lie symmetrically about −p/4s in every direction: Lemmas 5 and 10 with B = 0.
 
 use super::forms::{LemmaForm, constant, negative, reduced, square_part};
-use super::quartic::Index;
+use super::quartic::{Index, ROOTS};
 use super::quartic_signs::{Critical, QuarticRoots, Signs, position, sign_beside_zero};
 use crate::parametrize::cells::SignedDirection;
 use crate::parametrize::condition::{Condition, Relation};
 use crate::parametrize::expression::Expression;
 use crate::poly::TernaryForm;
 
-/// The names of the four roots of y⁴ + Ay² + C = 0, from the largest to the smallest. The outer ones, ±√((−A + √(A² − 4C))/2), have
-/// `pair` = `sign`; the inner ones, ±√((−A − √(A² − 4C))/2), have not.
-pub(super) const ROOTS: [Index; 4] = [
-    Index { pair: 1, sign: 1 },
-    Index { pair: 1, sign: -1 },
-    Index { pair: -1, sign: 1 },
-    Index { pair: -1, sign: -1 },
-];
-
+/// Whether a root is one of the outer ones, ±√((−A + √(A² − 4C))/2), of y⁴ + Ay² + C = 0; the inner ones are
+/// ±√((−A − √(A² − 4C))/2).
 fn is_outer(index: Index) -> bool {
     index.pair == index.sign
 }
