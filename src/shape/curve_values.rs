@@ -6,6 +6,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 
 use super::ParametricCurve;
 use super::drawn::Ratio;
+use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational};
 use crate::poly::{
     BinaryForm, IntegerPolynomial, RationalFunction, harmonics_of_form, integer_sign, numerator_at,
@@ -141,11 +142,12 @@ fn quotient(p: &Integer, q: &Integer) -> f64 {
     let first_bits = |value: &Integer| {
         let dropped = value.significant_bits().saturating_sub(64);
         let kept = Rational::whole(&(value >> dropped)).to_f64();
-        (kept, i32::try_from(dropped).unwrap_or(i32::MAX))
+        let dropped = i32::try_from(dropped).invariant("a number has less than 2^31 bits");
+        (kept, dropped)
     };
     let ((p, p_dropped), (q, q_dropped)) = (first_bits(p), first_bits(q));
     // The quotient of the first bits is at most 2^64, so that no scale below overflows before the value does.
-    let scale = p_dropped.saturating_sub(q_dropped);
+    let scale = p_dropped - q_dropped;
     let half = scale / 2;
     p / q * 2f64.powi(half) * 2f64.powi(scale - half)
 }
@@ -169,8 +171,6 @@ impl Form {
     }
 
     fn at(&self, [a, b]: Ratio, degree: usize) -> Near {
-        let length = f64::from(u32::try_from(degree).unwrap_or(u32::MAX));
-        let operations = 8.0 * (length + 4.0) * f64::EPSILON;
         match self {
             Self::Coefficients(coefficients) => {
                 let (mut value, mut size, mut power) = (0.0, 0.0, 1.0);
@@ -182,15 +182,10 @@ impl Form {
                     size = size * a.abs() + term.abs();
                     power *= b;
                 }
-                // With numbers near the ends of the doubles, rounding is no small share of them.
                 let is_plain = coefficients.is_empty() || size > TINY && smallest_power > TINY;
                 Near {
                     value,
-                    error: if is_plain {
-                        size * operations
-                    } else {
-                        f64::INFINITY
-                    },
+                    error: rounding(size, degree, is_plain),
                     negligible: 0.0,
                 }
             }
@@ -210,17 +205,22 @@ impl Form {
                         wave[0] * turn[1] + wave[1] * turn[0],
                     ];
                 }
-                let is_plain = *size > TINY;
                 Near {
                     value,
-                    error: if is_plain {
-                        size * operations
-                    } else {
-                        f64::INFINITY
-                    },
+                    error: rounding(*size, degree, *size > TINY),
                     negligible: size * SMALL_IN_HARMONICS,
                 }
             }
         }
     }
+}
+
+/// A bound of the rounding errors of a sum of magnitude `size` with a number of terms that belongs to the degree. With numbers near the
+/// ends of the doubles, which are not `plain`, rounding is no small share of them.
+fn rounding(size: f64, degree: usize, is_plain: bool) -> f64 {
+    if !is_plain {
+        return f64::INFINITY;
+    }
+    let degree = u32::try_from(degree).invariant("the degrees of a form are below 2^32");
+    size * 8.0 * (f64::from(degree) + 4.0) * f64::EPSILON
 }

@@ -7,6 +7,7 @@ use super::ParametricCurve;
 use super::curve_values::CurveValues;
 use super::drawn::DRAWN_NUMBERS;
 use super::parameter::Parameter;
+use crate::error::Invariant;
 use crate::poly::{IntegerPolynomial, RationalFunction};
 use crate::roots::real_roots;
 
@@ -112,7 +113,7 @@ struct Drawn<const N: usize> {
 impl<'a, const N: usize> DrawnCurve<'a, N> {
     fn new(curve: &'a ParametricCurve<N>, range: Option<[f64; 2]>) -> Self {
         let degrees = curve.coordinates().iter().map(RationalFunction::degree);
-        let degree = degrees.max().unwrap_or(0);
+        let degree = degrees.max().invariant("a curve has coordinates");
         let has_turns = !curve.parameter().is_angle() && degree <= MOST_DEGREE;
         Self {
             parameter: curve.parameter(),
@@ -148,7 +149,8 @@ impl<'a, const N: usize> DrawnCurve<'a, N> {
     /// Points at values of the parameter over the range, `count` of them or more for many oscillations, and at `more` values, in
     /// their order.
     fn sampled(&self, range: Option<[f64; 2]>, count: u32, more: &[f64]) -> Vec<Drawn<N>> {
-        let degree = u32::try_from(self.degree).unwrap_or(u32::MAX);
+        let degree = u32::try_from(self.degree);
+        let degree = degree.invariant("the degrees of a form are below 2^32");
         let count = match self.parameter.is_angle() {
             true => count.max(degree.saturating_mul(POINTS_PER_DEGREE).min(MOST_POINTS)),
             false => count,
@@ -272,20 +274,20 @@ fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f6
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::exact::Rational;
     use crate::shape::PlaneCurve;
-    use std::str::FromStr;
 
-    fn function(p: &str, q: &str) -> RationalFunction {
-        let polynomial = |text: &str| IntegerPolynomial::from_str(text).unwrap();
-        RationalFunction::from_integers(polynomial(p), polynomial(q)).unwrap()
+    /// A curve of the language.
+    fn curve(text: &str) -> PlaneCurve {
+        use crate::language::{Numbers, parse_form};
+        match parse_form(text, "<form>", Numbers::Exact).unwrap() {
+            crate::shape::Form::PlaneCurve(curve) => curve,
+            other => panic!("{other:?} is no plane curve"),
+        }
     }
 
     #[test]
     fn a_circle_is_closed_and_a_hyperbola_has_two_arms() {
-        let circle = [function("-x^2+1", "x^2+1"), function("2*x", "x^2+1")];
-        let circle = PlaneCurve::new(Parameter::angle("t", Rational::one()), circle);
+        let circle = curve("x = cos(t); y = sin(t)");
         let lines = circle.polylines(None, 100);
         assert_eq!(lines.len(), 1);
         assert!(
@@ -296,23 +298,13 @@ mod tests {
         let (first, last) = (lines[0][0], lines[0].last().unwrap());
         assert!((first[0] - last[0]).hypot(first[1] - last[1]) < 1e-12);
 
-        let hyperbola = [function("x", "1"), function("1", "x")];
-        let hyperbola = PlaneCurve::new(Parameter::number("t"), hyperbola);
+        let hyperbola = curve("x = t; y = 1/t");
         assert!(!hyperbola.is_bounded());
         let lines = hyperbola.polylines(None, 101);
         assert_eq!(lines.len(), 2);
         // The box shows the middle of the hyperbola, not the parts that go to infinity.
         let [x, y] = hyperbola.extent(None).unwrap();
         assert!(x[1] < 3.0 && y[1] < 40.0, "{x:?} {y:?}");
-    }
-
-    /// A curve of the language.
-    fn curve(text: &str) -> PlaneCurve {
-        use crate::language::{Numbers, parse_form};
-        match parse_form(text, "<form>", Numbers::Exact).unwrap() {
-            crate::shape::Form::PlaneCurve(curve) => curve,
-            other => panic!("{other:?} is no plane curve"),
-        }
     }
 
     #[test]
