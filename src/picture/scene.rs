@@ -46,20 +46,6 @@ pub(crate) struct SpaceLayer {
 }
 
 impl SpaceLayer {
-    /// The cells of a grid of points as facets; cells with a missing corner are left out.
-    #[must_use]
-    pub(crate) fn grid_facets(rows: &[Vec<Option<[f64; 3]>>]) -> Vec<Vec<[f64; 3]>> {
-        let mut facets = Vec::new();
-        for pair in rows.windows(2) {
-            let columns = pair[0].len().min(pair[1].len());
-            for j in 1..columns {
-                let corners = [pair[0][j - 1], pair[1][j - 1], pair[1][j], pair[0][j]];
-                facets.extend(corners.into_iter().collect::<Option<Vec<_>>>());
-            }
-        }
-        facets
-    }
-
     fn all_points(&self) -> impl Iterator<Item = &[f64; 3]> {
         let lists = self.lines.iter().chain(&self.facets);
         lists.flatten().chain(&self.points)
@@ -442,17 +428,6 @@ mod tests {
             );
             assert_eq!(svg.matches("<polygon").count() - 3, 2);
         }
-    }
-
-    #[test]
-    fn a_grid_has_facets_where_it_has_points() {
-        let point = |i: i32, j: i32| Some([f64::from(i), f64::from(j), 0.0]);
-        let mut rows: Vec<Vec<_>> = (0..3)
-            .map(|i| (0..3).map(|j| point(i, j)).collect())
-            .collect();
-        assert_eq!(SpaceLayer::grid_facets(&rows).len(), 4);
-        rows[0][0] = None;
-        assert_eq!(SpaceLayer::grid_facets(&rows).len(), 3);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::drawn::Ratio;
 use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational};
 use crate::poly::{
-    BinaryForm, IntegerPolynomial, RationalFunction, harmonics_of_form, integer_sign, numerator_at,
+    BinaryForm, IntegerPolynomial, RationalFunction, integer_sign, numerator_at, scaled_harmonics,
 };
 
 /// Values in doubles are taken if their error is at most this share of them.
@@ -39,15 +39,22 @@ pub(super) struct Value {
 /// A numerator and a denominator as forms of one degree in (a, b), where s = a/b.
 #[derive(Debug)]
 struct Coordinate {
-    exact: RationalFunction,
+    exact: [IntegerPolynomial; 2],
     degree: usize,
     forms: [Form; 2],
 }
 
+/// A form in doubles times 2^`exponent`, so that the largest double is about 1.
 #[derive(Debug)]
-enum Form {
-    /// The coefficients, ascending in s.
-    Coefficients(Vec<f64>),
+struct Form {
+    exponent: i32,
+    basis: Basis,
+}
+
+#[derive(Debug)]
+enum Basis {
+    /// The coefficients, ascending in s, and whether none of them is so much smaller than the largest that it loses digits.
+    Coefficients { values: Vec<f64>, is_plain: bool },
     /// The harmonics (m, cosine, sine) of the angle h with s = tan h. The sum of the amplitudes is `size`.
     Harmonics {
         waves: Vec<(usize, f64, f64)>,
@@ -65,12 +72,24 @@ struct Near {
 
 impl<const N: usize> CurveValues<N> {
     pub(super) fn of(curve: &ParametricCurve<N>) -> Self {
-        let is_angle = curve.parameter().is_angle();
-        Self {
-            coordinates: curve
+        let parts = |f: &RationalFunction| [f.numerator().clone(), f.denominator().clone()];
+        Self::of_quotients(
+            curve.parameter().is_angle(),
+            curve
                 .coordinates()
                 .each_ref()
-                .map(|f| Coordinate::new(f, is_angle)),
+                .map(|f| (parts(f), f.degree())),
+        )
+    }
+
+    /// The values of numerators and denominators of at most the given degrees.
+    pub(super) fn of_quotients(
+        is_angle: bool,
+        coordinates: [([IntegerPolynomial; 2], usize); N],
+    ) -> Self {
+        Self {
+            coordinates: coordinates
+                .map(|(parts, degree)| Coordinate::new(parts, degree, is_angle)),
         }
     }
 
@@ -81,19 +100,17 @@ impl<const N: usize> CurveValues<N> {
 }
 
 impl Coordinate {
-    fn new(f: &RationalFunction, is_angle: bool) -> Self {
-        let degree = f.degree();
+    fn new(exact: [IntegerPolynomial; 2], degree: usize, is_angle: bool) -> Self {
         let form = |p: &IntegerPolynomial| {
             if is_angle {
                 Form::harmonics(p, degree)
             } else {
-                let coefficients = p.coefficients_asc().iter();
-                Form::Coefficients(coefficients.map(|c| Rational::whole(c).to_f64()).collect())
+                Form::coefficients(p)
             }
         };
         Self {
-            forms: [form(f.numerator()), form(f.denominator())],
-            exact: f.clone(),
+            forms: exact.each_ref().map(form),
+            exact,
             degree,
         }
     }
@@ -105,8 +122,9 @@ impl Coordinate {
                 && (near.error <= near.value.abs() * SMALL || near.error <= negligible)
         };
         if is_good(&above, above.negligible) && is_good(&below, 0.0) {
+            let scale = self.forms[0].exponent - self.forms[1].exponent;
             return Value {
-                value: above.value / below.value,
+                value: times_power_of_two(above.value / below.value, scale),
                 is_above: below.value > 0.0,
             };
         }
@@ -115,14 +133,15 @@ impl Coordinate {
 
     /// The coordinate from exact values of the numerator and the denominator.
     fn exactly_at(&self, [a, b]: Ratio) -> Value {
-        let (above, below) = (self.exact.numerator(), self.exact.denominator());
+        let [above, below] = &self.exact;
         let is_turned = b < 0.0 && !self.degree.is_multiple_of(2);
         let Some(s) = Dyadic::from_f64(a / b) else {
             // s is infinite.
-            let value = self.exact.evaluate_at_infinity();
+            let leading = |f: &IntegerPolynomial| f.coefficients_asc().get(self.degree).cloned();
+            let [p, q] = [above, below].map(|f| leading(f).unwrap_or_default());
             return Value {
-                value: value.map_or(f64::INFINITY, |v| v.to_f64()),
-                is_above: !is_turned,
+                value: quotient(&p, &q),
+                is_above: (integer_sign(&q) > 0) != is_turned,
             };
         };
         let [p, q] = [above, below].map(|f| numerator_at(f, &s));
@@ -137,59 +156,91 @@ impl Coordinate {
     }
 }
 
-/// About p/q, from their first 64 bits; not finite for q = 0.
+/// About p/q; not finite for q = 0.
 fn quotient(p: &Integer, q: &Integer) -> f64 {
-    let first_bits = |value: &Integer| {
-        let dropped = value.significant_bits().saturating_sub(64);
-        let kept = Rational::whole(&(value >> dropped)).to_f64();
-        let dropped = i32::try_from(dropped).invariant("a number has less than 2^31 bits");
-        (kept, dropped)
-    };
-    let ((p, p_dropped), (q, q_dropped)) = (first_bits(p), first_bits(q));
-    // The quotient of the first bits is at most 2^64, so that no scale below overflows before the value does.
-    let scale = p_dropped - q_dropped;
-    let half = scale / 2;
-    p / q * 2f64.powi(half) * 2f64.powi(scale - half)
+    let ((p, p_exponent), (q, q_exponent)) = (first_bits(p), first_bits(q));
+    times_power_of_two(p / q, p_exponent - q_exponent)
+}
+
+/// The first 64 bits of an integer, times a power of two.
+fn first_bits(value: &Integer) -> (f64, i32) {
+    let dropped = value.significant_bits().saturating_sub(64);
+    let kept = Rational::whole(&(value >> dropped)).to_f64();
+    let dropped = i32::try_from(dropped).invariant("a number has less than 2^31 bits");
+    (kept, dropped)
+}
+
+/// x · 2^k, in two steps because 2^k may be no double where the product is.
+fn times_power_of_two(x: f64, k: i32) -> f64 {
+    let half = k / 2;
+    x * 2f64.powi(half) * 2f64.powi(k - half)
+}
+
+/// The number of bits of the largest of some integers, and each of them divided by 2 to this number.
+fn scaled<'a>(all: impl Iterator<Item = &'a Integer> + Clone) -> (i32, impl Iterator<Item = f64>) {
+    let bits = all.clone().map(SignificantBits::significant_bits).max();
+    let bits = i32::try_from(bits.unwrap_or(0)).invariant("a number has less than 2^31 bits");
+    let values = all.map(move |c| {
+        let (kept, exponent) = first_bits(c);
+        times_power_of_two(kept, exponent - bits)
+    });
+    (bits, values)
 }
 
 impl Form {
+    fn coefficients(f: &IntegerPolynomial) -> Self {
+        let coefficients = f.coefficients_asc();
+        let (exponent, values) = scaled(coefficients.iter());
+        let values: Vec<_> = values.collect();
+        let mut both = coefficients.iter().zip(&values);
+        let is_plain = both.all(|(exact, near)| *exact == 0 || near.abs() > TINY);
+        Self {
+            exponent,
+            basis: Basis::Coefficients { values, is_plain },
+        }
+    }
+
     fn harmonics(f: &IntegerPolynomial, degree: usize) -> Self {
         if *f == IntegerPolynomial::ZERO {
-            return Self::Coefficients(Vec::new());
+            return Self::coefficients(f);
         }
         // The first variable is cos h.
         let form = BinaryForm::from_dehomogenized(degree, f.clone());
-        let waves = harmonics_of_form(&form).into_iter();
-        let waves: Vec<_> = waves
-            .map(|(m, cos, sin)| (m, cos.to_f64(), sin.to_f64()))
-            .collect();
-        let size = waves
-            .iter()
-            .map(|(_, cos, sin)| cos.abs() + sin.abs())
-            .sum();
-        Self::Harmonics { waves, size }
+        let harmonics = scaled_harmonics(&form);
+        let (bits, values) = scaled(harmonics.iter().flat_map(|(_, cos, sin)| [cos, sin]));
+        let values: Vec<_> = values.collect();
+        let waves = harmonics.iter().zip(values.chunks_exact(2));
+        let degree = i32::try_from(degree).invariant("degrees are below 2^31");
+        Self {
+            exponent: bits - degree,
+            basis: Basis::Harmonics {
+                waves: waves.map(|((m, ..), v)| (*m, v[0], v[1])).collect(),
+                size: values.iter().map(|v| v.abs()).sum(),
+            },
+        }
     }
 
     fn at(&self, [a, b]: Ratio, degree: usize) -> Near {
-        match self {
-            Self::Coefficients(coefficients) => {
+        match &self.basis {
+            Basis::Coefficients { values, is_plain } => {
                 let (mut value, mut size, mut power) = (0.0, 0.0, 1.0);
                 let mut smallest_power = 1.0;
                 for k in (0..=degree).rev() {
                     smallest_power = f64::abs(power);
-                    let term = coefficients.get(k).unwrap_or(&0.0) * power;
+                    let term = values.get(k).unwrap_or(&0.0) * power;
                     value = value * a + term;
                     size = size * a.abs() + term.abs();
                     power *= b;
                 }
-                let is_plain = coefficients.is_empty() || size > TINY && smallest_power > TINY;
+                let is_plain =
+                    values.is_empty() || *is_plain && size > TINY && smallest_power > TINY;
                 Near {
                     value,
                     error: rounding(size, degree, is_plain),
                     negligible: 0.0,
                 }
             }
-            Self::Harmonics { waves, size } => {
+            Basis::Harmonics { waves, size } => {
                 // (cos mh, sin mh) for the m of one parity
                 let turn = [b * b - a * a, 2.0 * a * b];
                 let mut wave = if degree.is_multiple_of(2) {

@@ -37,7 +37,8 @@ impl Parameter {
         }
     }
 
-    /// s for a value of the parameter, as the ratio of the coordinates of a unit vector.
+    /// s for a value of the parameter, as a ratio: for an angle of the coordinates of a unit vector, for a number exactly and of
+    /// numbers of which the larger is between 1/2 and 1.
     pub(super) fn ratio(&self, value: f64) -> Ratio {
         match self.step() {
             Some(step) => {
@@ -45,8 +46,11 @@ impl Parameter {
                 [sin, cos]
             }
             None => {
-                let length = value.hypot(1.0);
-                [value / length, length.recip()]
+                let mut ratio = [value, 1.0];
+                while ratio[0].abs() > 1.0 {
+                    ratio = ratio.map(|v| v / 2.0);
+                }
+                ratio
             }
         }
     }
@@ -90,33 +94,6 @@ impl<const N: usize> CurveInDoubles<N> {
                 value
             })
         })
-    }
-}
-
-impl Patch {
-    /// The points of the surface on a grid of parameters, with a row for each value of the first parameter; `None` at poles.
-    ///
-    /// Without ranges the grid covers a full period of an angle, and −3/2 to 3/2 for a number.
-    #[must_use]
-    pub fn grid(
-        &self,
-        ranges: [Option<[f64; 2]>; 2],
-        counts: [u32; 2],
-    ) -> Vec<Vec<Option<[f64; 3]>>> {
-        let [first, second] = [0, 1].map(|k| {
-            let parameter = &self.parameters()[k];
-            let range = if parameter.is_angle() {
-                ranges[k]
-            } else {
-                ranges[k].or(Some(DRAWN_NUMBERS))
-            };
-            let values = parameter.values(range, counts[k].max(1)).into_iter();
-            values.map(|v| parameter.ratio(v)).collect::<Vec<_>>()
-        });
-        let patch = self.in_doubles();
-        let point = |at: [Ratio; 2]| patch.at(at);
-        let row = |s: &Ratio| second.iter().map(|t| point([*s, *t])).collect();
-        first.iter().map(row).collect()
     }
 }
 

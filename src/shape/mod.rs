@@ -16,6 +16,7 @@ mod normalized;
 mod orientation;
 mod parameter;
 mod patch;
+mod patch_grid;
 mod points;
 mod polyline;
 mod radial;

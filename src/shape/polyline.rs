@@ -39,7 +39,7 @@ const BOX_POINTS: u32 = 720;
 const LEFT_OUT: f64 = 0.05;
 
 /// The smallest and the largest value of every coordinate.
-type Area<const N: usize> = [[f64; 2]; N];
+pub(super) type Area<const N: usize> = [[f64; 2]; N];
 
 impl<const N: usize> ParametricCurve<N> {
     /// Lines of points along the curve, over the range of the parameter: `count` of them, more where an angle has many oscillations
@@ -143,7 +143,7 @@ impl<'a, const N: usize> DrawnCurve<'a, N> {
         let lines = self.cut_at_poles(self.sampled(range, BOX_POINTS, more));
         // Near poles the curve goes to infinity; then the largest and smallest values are left out.
         let has_poles = !self.is_bounded && lines.len() > 1;
-        box_around(&lines.concat(), if has_poles { LEFT_OUT } else { 0.0 })
+        box_around(&lines.concat(), [has_poles; N])
     }
 
     /// Points at values of the parameter over the range, `count` of them or more for many oscillations, and at `more` values, in
@@ -250,9 +250,12 @@ fn turns<const N: usize>(coordinates: &[RationalFunction; N], range: Option<[f64
     values.filter(|t| low <= *t && *t <= high).collect()
 }
 
-/// The box around points. In each coordinate the given share of the smallest and of the largest values is left out, and the
+/// The box around points. Of a coordinate that has poles a share of the smallest and of the largest values is left out, and the
 /// range of the others is made half as large again.
-fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f64; 2]; N]> {
+pub(super) fn box_around<const N: usize>(
+    points: &[[f64; N]],
+    has_poles: [bool; N],
+) -> Option<Area<N>> {
     let last = points.len().checked_sub(1)?;
     #[expect(
         clippy::cast_possible_truncation,
@@ -260,11 +263,12 @@ fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f6
         clippy::cast_precision_loss,
         reason = "a share of a number of points"
     )]
-    let skipped = (left_out * last as f64) as usize;
+    let left_out = (LEFT_OUT * last as f64) as usize;
     let mut bounds = [[0.0; 2]; N];
     for (k, side) in bounds.iter_mut().enumerate() {
         let mut values: Vec<f64> = points.iter().map(|p| p[k]).collect();
         values.sort_unstable_by(f64::total_cmp);
+        let skipped = if has_poles[k] { left_out } else { 0 };
         let (low, high) = (values[skipped], values[last - skipped]);
         let more = if skipped > 0 { (high - low) / 4.0 } else { 0.0 };
         *side = [low - more, high + more];

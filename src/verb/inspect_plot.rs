@@ -27,9 +27,6 @@ const CIRCLE: u32 = 120;
 /// The number of points that are drawn of a parametric curve.
 const CURVE_POINTS: usize = 1440;
 const CURVE_STEPS: u32 = 1440;
-/// The number of cells along each parameter of a patch.
-const PATCH_CELLS: u32 = 54;
-
 /// The rows of a harmonic surface from pole to pole.
 const SPHERE_ROWS: u32 = 48;
 
@@ -66,7 +63,7 @@ impl InspectionTask {
             Subject::Superquadric(shape) => lines_or_walls(vec![shape.polyline(CURVE_POINTS / 4)]),
             Subject::Patch(patch, _) => {
                 let layer = SpaceLayer {
-                    facets: SpaceLayer::grid_facets(&patch.grid([None; 2], [PATCH_CELLS; 2])),
+                    facets: patch.facets([None; 2], None).facets,
                     ..SpaceLayer::default()
                 };
                 in_space_lines(self, layer, points, window, work)
@@ -104,9 +101,10 @@ fn walls(lines: &[Vec<[f64; 2]>], points: &[KeptPoint]) -> SpaceLayer {
     let [low, high] = heights.fold([-1.0f64, 1.0f64], |[low, high], z| {
         [low.min(z), high.max(z)]
     });
-    let facets = lines.iter().flat_map(|line| {
-        let row = |z: f64| line.iter().map(move |[x, y]| Some([*x, *y, z])).collect();
-        SpaceLayer::grid_facets(&[row(low), row(high)])
+    let sides = lines.iter().flat_map(|line| line.windows(2));
+    let facets = sides.map(|side| {
+        let corners = [(0, low), (0, high), (1, high), (1, low)];
+        corners.map(|(k, z)| [side[k][0], side[k][1], z]).to_vec()
     });
     SpaceLayer {
         facets: facets.collect(),

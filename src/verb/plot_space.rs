@@ -13,9 +13,8 @@ use crate::parametrize::{CommonPoint, parametrize_intersection};
 use crate::picture::{Scene, SpaceLayer};
 use crate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, SpaceCurve};
 
-/// The default numbers of points along a curve and of cells along each parameter of a patch.
+/// The default number of points along a curve.
 const CURVE_POINTS: u32 = 720;
-const PATCH_CELLS: u32 = 54;
 
 /// The default number of cells along the longest side of the box of an implicit surface, and the angle in degrees by which edges
 /// may bend.
@@ -277,14 +276,13 @@ fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> 
                 let numbers = (!p.is_angle()).then_some(DRAWN_NUMBERS);
                 range_text(p, range.or(numbers))
             });
-            let grid = patch.grid(ranges, [options.cells.unwrap_or(PATCH_CELLS); 2]);
+            let found = patch.facets(ranges, options.cells);
             let drawn = SpaceLayer {
                 label: label("patch", shown.flatten().collect()),
-                facets: SpaceLayer::grid_facets(&grid),
+                facets: found.facets,
                 ..SpaceLayer::default()
             };
-            let extent = box_around(drawn.facets.iter().flatten());
-            Ok(Drawn::Layer(drawn, extent))
+            Ok(Drawn::Layer(drawn, found.extent))
         }
         Content::Exact(Form::Surface(surface)) => {
             let degree = surface.polynomial().degree().unwrap_or(0);

@@ -1,0 +1,261 @@
+//! Points on a patch over a grid of parameters, and the cells between them.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::Polynomial;
+
+use super::curve_values::CurveValues;
+use super::drawn::{DRAWN_NUMBERS, Ratio};
+use super::polyline::box_around;
+use super::{Patch, PatchFunction};
+use crate::error::Invariant;
+use crate::exact::Dyadic;
+use crate::poly::{IntegerPolynomial, SparsePolynomial};
+
+/// The least number of cells along each parameter of a picture.
+const CELLS: u32 = 54;
+
+/// For each degree of the coordinates in an angle so many cells are drawn: an oscillation has 16.
+const CELLS_PER_DEGREE: u32 = 8;
+
+/// A picture has no more cells than this because of oscillations.
+const MOST_CELLS: f64 = 30_000.0;
+
+/// A point of the grid: the coordinates, which are not finite at poles, and the signs of the denominators.
+struct Node {
+    values: [f64; 3],
+    signs: [bool; 3],
+}
+
+/// The cells of a grid as quadrilaterals, and a box that shows them: all of them, or most of them where coordinates have poles.
+pub(crate) struct PatchFacets {
+    pub facets: Vec<Vec<[f64; 3]>>,
+    pub extent: Option<[[f64; 2]; 3]>,
+}
+
+impl Node {
+    fn point(&self) -> Option<[f64; 3]> {
+        let is_finite = self.values.iter().all(|v| v.is_finite());
+        is_finite.then_some(self.values)
+    }
+}
+
+impl Patch {
+    /// The points of the surface on a grid of parameters, with a row for each value of the first parameter; `None` at poles. The
+    /// coordinates have at least 6 correct digits, or an error below 10⁻⁹ of the sum of all amplitudes.
+    ///
+    /// Without ranges the grid covers a full period of an angle, and −3/2 to 3/2 for a number.
+    #[must_use]
+    pub fn grid(
+        &self,
+        ranges: [Option<[f64; 2]>; 2],
+        counts: [u32; 2],
+    ) -> Vec<Vec<Option<[f64; 3]>>> {
+        let nodes = self.nodes(ranges, counts);
+        let points = |row: &Vec<Node>| row.iter().map(Node::point).collect();
+        nodes.iter().map(points).collect()
+    }
+
+    /// The cells of a grid, `cells` of them along each parameter, or as many as its oscillations need. Cells with a corner at a pole,
+    /// or with one between their corners, are left out.
+    pub(crate) fn facets(&self, ranges: [Option<[f64; 2]>; 2], cells: Option<u32>) -> PatchFacets {
+        let counts = cells.map_or_else(|| self.cells_for_oscillations(), |count| [count; 2]);
+        let nodes = self.nodes(ranges, counts);
+        let mut facets = Vec::new();
+        let mut has_poles = [false; 3];
+        for pair in nodes.windows(2) {
+            for (left, right) in pair[0].windows(2).zip(pair[1].windows(2)) {
+                let corners = [&left[0], &right[0], &right[1], &left[1]];
+                for (k, has_pole) in has_poles.iter_mut().enumerate() {
+                    let is_cut = |node: &Node| !node.values[k].is_finite();
+                    let sign = left[0].signs[k];
+                    *has_pole |= corners.iter().any(|n| is_cut(n) || n.signs[k] != sign);
+                }
+                if corners.iter().all(|node| node.signs == left[0].signs) {
+                    let points = corners.into_iter().map(Node::point);
+                    facets.extend(points.collect::<Option<Vec<_>>>());
+                }
+            }
+        }
+        let points: Vec<_> = nodes.iter().flatten().filter_map(Node::point).collect();
+        PatchFacets {
+            facets,
+            extent: box_around(&points, has_poles),
+        }
+    }
+
+    fn cells_for_oscillations(&self) -> [u32; 2] {
+        let wanted = [0, 1].map(|v| {
+            let degrees = self.coordinates().iter().map(|f| f.degree_in(v));
+            let degree = degrees.max().invariant("a patch has coordinates");
+            match self.parameters()[v].is_angle() {
+                true => CELLS.max(degree.saturating_mul(CELLS_PER_DEGREE)),
+                false => CELLS,
+            }
+        });
+        let all: f64 = wanted.into_iter().map(f64::from).product();
+        let share = (MOST_CELLS / all).min(1.0).sqrt();
+        // The product is at least CELLS², so that no count is far below CELLS.
+        wanted.map(|count| (f64::from(count) * share).floor() as u32)
+    }
+
+    fn nodes(&self, ranges: [Option<[f64; 2]>; 2], counts: [u32; 2]) -> Vec<Vec<Node>> {
+        let [first, second] = [0, 1].map(|k| {
+            let parameter = &self.parameters()[k];
+            let range = if parameter.is_angle() {
+                ranges[k]
+            } else {
+                ranges[k].or(Some(DRAWN_NUMBERS))
+            };
+            let values = parameter.values(range, counts[k].max(1)).into_iter();
+            values.map(|v| parameter.ratio(v)).collect::<Vec<_>>()
+        });
+        let node = |row: &CurveValues<3>, t: &Ratio| {
+            let found = row.at(*t);
+            Node {
+                values: found.map(|v| v.value),
+                signs: found.map(|v| v.is_above),
+            }
+        };
+        let rows = first.iter().map(|s| self.row(*s));
+        rows.map(|row| second.iter().map(|t| node(&row, t)).collect())
+            .collect()
+    }
+
+    /// The coordinates for an exact value of s1 near the given one, as functions of s2.
+    fn row(&self, s: Ratio) -> CurveValues<3> {
+        let functions = self.coordinates().each_ref().map(|f: &PatchFunction| {
+            let degree = f.degree_in(0);
+            let parts = [f.numerator(), f.denominator()].map(|part| restricted(part, degree, s));
+            (parts, f.degree_in(1) as usize)
+        });
+        CurveValues::of_quotients(self.parameters()[1].is_angle(), functions)
+    }
+}
+
+/// A multiple of f(a/b, s2), for the numerator and for the denominator of one degree in s1 by the same factor. It has the sign of
+/// b^degree f(a/b, s2).
+fn restricted(f: &SparsePolynomial<2>, degree: u32, [a, b]: Ratio) -> IntegerPolynomial {
+    let length = f.degree_in(1) as usize + 1;
+    let mut sums = vec![Integer::ZERO; length];
+    let quotient = Dyadic::from_f64(a / b);
+    // The powers of p and q with a/b = p/q, and 1 and 0 for an infinite quotient.
+    let (p, shift) = match &quotient {
+        Some(s) if s.exponent() >= 0 => (s.mantissa() << s.exponent().unsigned_abs(), Some(0)),
+        Some(s) => (s.mantissa().clone(), Some(s.exponent().unsigned_abs())),
+        None => (Integer::ONE, None),
+    };
+    let mut powers = vec![Integer::ONE];
+    for k in 0..degree as usize {
+        powers.push(&powers[k] * &p);
+    }
+    for (&[i, j], c) in f.terms() {
+        let term = &powers[i as usize] * c.numerator();
+        let below = degree - i;
+        match shift {
+            Some(shift) => sums[j as usize] += term << (shift * u64::from(below)),
+            None if below == 0 => sums[j as usize] += term,
+            None => {}
+        }
+    }
+    if b < 0.0 && !degree.is_multiple_of(2) {
+        for sum in &mut sums {
+            *sum = -&*sum;
+        }
+    }
+    IntegerPolynomial::from_coefficients_asc(sums)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Form;
+
+    fn patch(text: &str) -> Patch {
+        match text.parse() {
+            Ok(Form::Patch(patch)) => patch,
+            other => unreachable!("{other:?}"),
+        }
+    }
+
+    /// The value k of 0, 1, …, `count` between a and b.
+    fn between(a: f64, b: f64, k: usize, count: u32) -> f64 {
+        let part = k as f64 / f64::from(count);
+        a * (1.0 - part) + b * part
+    }
+
+    #[test]
+    fn values_near_a_root_of_high_order_have_correct_digits() {
+        for patch in [
+            patch("x = u; y = v; z = (u-100)^7 + (v-100)^7"),
+            patch("x = v; y = u; z = (u-100)^7*(v-99)^5/(v+1)"),
+        ] {
+            let grid = patch.grid([Some([99.0, 101.0]), Some([99.5, 101.0])], [7, 9]);
+            for (i, row) in grid.iter().enumerate() {
+                for (j, point) in row.iter().enumerate() {
+                    let s = [between(99.0, 101.0, i, 7), between(99.5, 101.0, j, 9)];
+                    // s is rounded as a ratio of doubles, which moves it by some 10⁻¹⁴.
+                    let exact = patch.point(&s.map(|v| Dyadic::from_f64(v).unwrap().to_rational()));
+                    let exact = exact.unwrap().map(|v| v.to_f64());
+                    for (near, exact) in point.unwrap().into_iter().zip(exact) {
+                        assert!((near - exact).abs() < 1e-10 + 1e-6 * exact.abs(), "{s:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn many_oscillations_have_correct_values() {
+        let patch = patch("x = cos(70*u)*(2+cos(v)); y = sin(u)*cos(60*v); z = sin(61*v + 3*u)");
+        let grid = patch.grid([None; 2], [23, 19]);
+        for (i, row) in grid.iter().enumerate() {
+            for (j, point) in row.iter().enumerate() {
+                let tau = std::f64::consts::TAU;
+                let (u, v) = (between(0.0, tau, i, 23), between(0.0, tau, j, 19));
+                let exact = [
+                    (70.0 * u).cos() * (2.0 + v.cos()),
+                    u.sin() * (60.0 * v).cos(),
+                    (61.0 * v + 3.0 * u).sin(),
+                ];
+                for (near, exact) in point.unwrap().into_iter().zip(exact) {
+                    assert!((near - exact).abs() < 1e-8, "{u} {v}");
+                }
+            }
+        }
+        // All of them are drawn.
+        let [along_u, along_v] = patch.cells_for_oscillations();
+        assert!(along_u > 160 && along_v > 140 && along_u * along_v <= 30_000);
+    }
+
+    #[test]
+    fn cells_with_a_pole_are_left_out() {
+        let ranges = [Some([-1.0, 1.0]), Some([0.0, 1.0])];
+        let facets = |text: &str| patch(text).facets(ranges, Some(5)).facets.len();
+        assert_eq!(facets("x = u; y = v; z = u*v"), 25);
+        // A pole between the lines of the grid, at u = 0, and one at corners, at v = 0.
+        assert_eq!(facets("x = u; y = v; z = 1/u"), 20);
+        assert_eq!(facets("x = u; y = v; z = 1/v"), 20);
+        assert_eq!(facets("x = u; y = v; z = 1/(u*v)"), 16);
+        // At the double pole the value is large on both sides.
+        assert_eq!(facets("x = u; y = v; z = 1/u^2"), 25);
+        // One corner, at which the function has no value.
+        assert_eq!(facets("x = u; y = v; z = v/(v^2+(u+1)^2)"), 24);
+    }
+
+    #[test]
+    fn near_poles_the_box_shows_most_points() {
+        let near = patch("x = u; y = v; z = 1/(5*u-1)");
+        let [x, y, z] = near.facets([Some([-1.0, 1.0]); 2], None).extent.unwrap();
+        assert_eq!([x, y], [[-1.0, 1.0]; 2]);
+        assert!(z[0] > -10.0 && z[1] < 10.0, "{z:?}");
+    }
+
+    #[test]
+    fn an_infinite_parameter_takes_the_leading_coefficients() {
+        // At u = π, s1 is infinite.
+        let patch = patch("x = cos(u); y = sin(u)*v; z = v^2");
+        let values = patch.row([1.0, 0.0]).at([3.0, 1.0]).map(|v| v.value);
+        assert_eq!(values, [-1.0, 0.0, 9.0]);
+    }
+}
