@@ -95,8 +95,12 @@ impl Patch {
         });
         let all: f64 = wanted.into_iter().map(f64::from).product();
         let share = (MOST_CELLS / all).min(1.0).sqrt();
-        // The product is at least CELLS², so that no count is far below CELLS.
-        wanted.map(|count| (f64::from(count) * share).floor() as u32)
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a number of cells"
+        )]
+        wanted.map(|count| (f64::from(count) * share) as u32)
     }
 
     fn nodes(&self, ranges: [Option<[f64; 2]>; 2], counts: [u32; 2]) -> Vec<Vec<Node>> {
