@@ -125,6 +125,7 @@ pub mod check;
 pub mod cli;
 #[cfg(feature = "cli")]
 pub mod compare;
+mod coordinate_names;
 pub mod describe;
 pub mod document;
 pub mod error;

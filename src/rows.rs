@@ -3,6 +3,7 @@
 //! The `csv` crate cannot do this, because messages name rows: its positions do not count the blank lines and comments that it
 //! skips before a record.
 
+use std::borrow::Cow;
 use std::io::{BufRead, Read};
 
 use crate::error::{Error, Result};
@@ -199,6 +200,29 @@ pub(crate) fn fields_between(row: &str, separator: char) -> impl Iterator<Item =
     })
 }
 
+/// A row in which each field that is in quotes is one letter.
+fn without_quoted(row: &str) -> Cow<'_, str> {
+    if !row.contains('"') {
+        return Cow::Borrowed(row);
+    }
+    let mut result = String::new();
+    let mut rest = row;
+    while let Some(at) = rest.find('"') {
+        let (before, quoted) = rest.split_at(at);
+        result.push_str(before);
+        let begins_field = result
+            .trim_end_matches(' ')
+            .chars()
+            .next_back()
+            .is_none_or(|c| matches!(c, ',' | ';' | '\t'));
+        let closed = begins_field.then(|| behind_quote(&quoted[1..])).flatten();
+        result.push('q');
+        rest = closed.unwrap_or(&quoted[1..]);
+    }
+    result.push_str(rest);
+    Cow::Owned(result)
+}
+
 /// What is behind the quotation mark that closes a field; within the field, the mark is doubled.
 fn behind_quote(mut inner: &str) -> Option<&str> {
     loop {
@@ -222,6 +246,7 @@ pub(crate) enum Separator {
 impl Separator {
     /// A semicolon or a tab wherever there is one; blanks between numbers that have decimal commas, or no comma at all.
     pub(crate) fn of(row: &str) -> Self {
+        let row = &*without_quoted(row);
         let mut words = row.split_whitespace();
         let has_several = words.clone().count() > 1;
         let mut has_decimal_commas =
@@ -253,18 +278,9 @@ pub(crate) fn filled(fields: &[&str]) -> usize {
     last.map_or(0, |last| last + 1)
 }
 
-/// The name of a column in small letters, without its unit: `X (mm)` and `x_mm` are x.
-pub(crate) fn plain_name(name: &str) -> String {
-    let letters = name.trim().split(|c: char| !c.is_alphanumeric());
-    letters
-        .map(str::to_lowercase)
-        .find(|part| !part.is_empty())
-        .unwrap_or_default()
-}
-
 /// The words of a row, whatever separates them.
 pub(crate) fn words(row: &str) -> impl Iterator<Item = &str> {
-    let parts = row.split([',', ';', '\t', ' ']);
+    let parts = row.split(|c: char| matches!(c, ',' | ';') || c.is_whitespace());
     parts
         .map(|part| part.trim_matches('"'))
         .filter(|part| !part.is_empty())
@@ -279,10 +295,17 @@ fn is_header(row: &str) -> bool {
     fields.peek().is_some() && fields.all(is_word)
 }
 
-/// Whether a field of the first row belongs to a header. Infinity, NaN, marks of missing numbers and numbers that are too large
-/// are wrong numbers, not words.
+/// Whether a field of the first row belongs to a header. Infinity, NaN, marks of missing numbers, numbers that are too large and those
+/// with something beside them, as in `9mm` and `$9`, are wrong numbers, not words.
 fn is_word(field: &str) -> bool {
-    double(field).is_err() && field.parse::<f64>().is_err() && !is_missing(field)
+    let begins_with_letter = field
+        .trim_start_matches(['_', '(', '['])
+        .starts_with(char::is_alphabetic);
+    let has_digit = field.contains(|c: char| c.is_ascii_digit());
+    (begins_with_letter || !has_digit)
+        && double(field).is_err()
+        && field.parse::<f64>().is_err()
+        && !is_missing(field)
 }
 
 /// Whether a field stands for a number that is missing.

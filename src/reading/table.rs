@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::document::check_exponents;
+use crate::coordinate_names::place_of;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{
@@ -252,9 +253,13 @@ impl Table {
         unwanted: Option<&str>,
     ) -> Result<Vec<usize>> {
         if let Some((line, names)) = &self.header {
-            let place = |wanted: &str| names.iter().position(|n| n.eq_ignore_ascii_case(wanted));
-            let places = wanted.iter().map(|name| place(name)).collect();
-            match (places, unwanted.and_then(|name| place(name).map(|_| name))) {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            let place = |wanted: &str| {
+                place_of(&names, wanted).map_err(|message| Error::data(line, message))
+            };
+            let places: Result<Option<_>> = wanted.iter().map(|name| place(name)).collect();
+            let unwanted = unwanted.map(|name| place(name).map(|found| found.map(|_| name)));
+            match (places?, unwanted.transpose()?.flatten()) {
                 (Some(places), None) => return Ok(places),
                 (Some(_), Some(name)) => {
                     let columns = wanted.join(",");

@@ -4,10 +4,11 @@ use std::borrow::Cow;
 
 use smallvec::SmallVec;
 
+use crate::coordinate_names::coordinates_among;
 use crate::error::Invariant;
 use crate::exact::{Rational, double_literal, exact_literal};
 use crate::language::Numbers;
-use crate::rows::{Separator, columns_text, double, filled, plain_name};
+use crate::rows::{Separator, columns_text, double, filled};
 
 /// The layout of the rows of a table of points.
 #[derive(Clone, Debug)]
@@ -37,8 +38,8 @@ impl PointLayout {
         }
     }
 
-    /// The layout that the header, if there is one, and the first row of numbers say. A header that names x and y says which
-    /// columns these are, and whether there is z; any other one is a title.
+    /// The layout that the header, if there is one, and the first row of numbers say. A header that names coordinates says which
+    /// columns these are, and whether there is z; one that says nothing of coordinates is a title.
     ///
     /// # Errors
     /// The message for rows of which the coordinates are not known.
@@ -49,11 +50,16 @@ impl PointLayout {
         let names: Vec<&str> = header
             .map(|h| separator.split(h).collect())
             .unwrap_or_default();
-        let place = |wanted: &str| names.iter().position(|name| plain_name(name) == wanted);
-        if let (Some(x), Some(y)) = (place("x"), place("y")) {
-            let z = place("z");
-            let places = [x, y, z.unwrap_or(0)];
-            let used = if z.is_some() { 3 } else { 2 };
+        let has_names = names.len() > 1 && [count, fields.len()].contains(&names.len());
+        let named = match has_names || names.len() > 2 {
+            true => coordinates_among(&names).map_err(|message| {
+                format!("{message}; one is to be named x, one y and, in space, one z")
+            })?,
+            false => None,
+        };
+        if let Some(found) = named {
+            let places = [found.x, found.y, found.z.unwrap_or(0)];
+            let used = if found.z.is_some() { 3 } else { 2 };
             let is_other = |k: &usize| !places[..used].contains(k);
             let others = (0..names.len()).filter(is_other);
             return Ok(Self {
@@ -221,6 +227,13 @@ mod tests {
                 vec!["ok".into()],
             ),
             (Some("lengths"), "1 2 3", vec![1.0, 2.0, 3.0], none.clone()),
+            (Some("lat,lon"), "2,1", vec![1.0, 2.0], none.clone()),
+            (
+                Some("x_nom,y_nom,x,y"),
+                "5,6,1,2",
+                vec![1.0, 2.0],
+                vec!["5".into(), "6".into()],
+            ),
             (None, "5;0;0", vec![5.0, 0.0, 0.0], none.clone()),
             (None, "5\t0\t0", vec![5.0, 0.0, 0.0], none.clone()),
             (None, "1,2,", vec![1.0, 2.0], none),
@@ -236,6 +249,12 @@ mod tests {
                 "found 2 columns; each row must be x,y,z",
             ),
             (Some("x,y,z"), "1,2,b", "\"b\" is not a number"),
+            (Some("theta,r"), "1,2", "angles and radii"),
+            (
+                Some("x_nom,y_nom,x_meas,y_meas"),
+                "1,2,3,4",
+                "one is to be named x",
+            ),
         ] {
             let message = read(header, row).unwrap_err();
             assert!(message.contains(part), "{message}");

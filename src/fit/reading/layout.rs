@@ -4,19 +4,12 @@ use smallvec::SmallVec;
 
 use super::OutlineOptions;
 use super::columns::places_beside;
-use crate::rows::{Separator, columns_text, double, filled, is_missing, plain_name};
+use crate::coordinate_names::coordinates_among;
+use crate::exact::exact_literal;
+use crate::rows::{Separator, columns_text, double, filled, is_missing};
 
 /// The columns of a row, for messages.
 pub(super) const COLUMNS: &str = "x,y";
-
-/// Names of the columns of x and of y, without units and in small letters.
-const NAMES: [&[&str]; 2] = [
-    &["x", "px", "lon", "long", "longitude", "easting", "east"],
-    &["y", "py", "lat", "latitude", "northing", "north"],
-];
-/// Names of columns that are no coordinates in the plane.
-const ANGLES: [&str; 6] = ["theta", "angle", "phi", "azimuth", "deg", "degrees"];
-const RADII: [&str; 4] = ["r", "radius", "rho", "distance"];
 
 /// The layout of the rows of a file.
 #[derive(Debug)]
@@ -24,6 +17,8 @@ pub(super) struct Layout {
     separator: Separator,
     /// The places of x and y, from 0.
     columns: [usize; 2],
+    /// The place of z, from 0, if the columns are named as three coordinates.
+    height: Option<usize>,
     /// The place of the weight, from 0.
     weight: Option<usize>,
     /// The number of fields of every row: two, or as many as the header or else the first row has. Empty ones at the end of a
@@ -59,65 +54,70 @@ impl Layout {
         let names: Vec<&str> = names.into_iter().flatten().collect();
         let fields: Vec<&str> = separator.split(first).collect();
         let count = at_least_two(&fields);
-        let plain: Vec<String> = names.iter().copied().map(plain_name).collect();
-        let place = |known: &[&str]| plain.iter().position(|name| known.contains(&name.as_str()));
+        // A title is no row of names.
+        let has_names = [count, fields.len()].contains(&names.len());
+        let named = || match has_names || names.len() > 2 {
+            true => coordinates_among(&names).map_err(|message| {
+                format!(
+                    "{message}; one is to be named x and one y, or --columns says which they are"
+                )
+            }),
+            false => Ok(None),
+        };
         if options.columns.is_some() || options.weights.is_some() {
-            // A title is no row of names.
-            let has_names = [count, fields.len()].contains(&names.len());
             let (width, given_by) = match has_names {
                 true => (names.len(), GivenBy::Names),
                 false => (count, GivenBy::FirstRow),
             };
-            let names = if has_names { &names[..] } else { &[] };
+            let known = if has_names { &names[..] } else { &[] };
             let weights = options.weights.as_ref();
-            let weight = weights.map(|column| column.place(names, width, "--weights"));
+            let weight = weights.map(|column| column.place(known, width, "--weights"));
             let weight = weight.transpose()?;
-            let columns = match (&options.columns, place(NAMES[0]), place(NAMES[1]), weight) {
-                (Some(columns), _, _, _) => columns.places(names, width)?,
-                (None, Some(x), Some(y), _) if has_names => [x, y],
-                (None, _, _, Some(weight)) => places_beside(weight)?,
-                (None, _, _, None) => [0, 1],
+            let columns = match (&options.columns, weight) {
+                (Some(columns), _) => columns.places(known, width)?,
+                (None, weight) => match (named()?.filter(|_| has_names), weight) {
+                    (Some(places), _) => [places.x, places.y],
+                    (None, Some(weight)) => places_beside(weight)?,
+                    (None, None) => [0, 1],
+                },
             };
             return Ok(Self {
                 separator,
                 columns,
+                height: None,
                 weight,
                 width,
                 given_by,
             });
         }
-        let columns = match (place(NAMES[0]), place(NAMES[1])) {
-            (Some(x), Some(y)) => [x, y],
-            _ if place(&ANGLES).is_some() && place(&RADII).is_some() => {
-                return Err(format!(
-                    "the columns are angles and radii ({}); an outline is rows {COLUMNS} of points",
-                    plain.join(",")
-                ));
-            }
+        match named()? {
+            Some(places) => Ok(Self {
+                separator,
+                columns: [places.x, places.y],
+                height: places.z,
+                weight: None,
+                width: names.len(),
+                given_by: GivenBy::Names,
+            }),
             // There is no header, or a title in its place.
-            _ if names.len() <= 2 || names.len() != count => {
-                return Ok(Self {
-                    separator,
-                    columns: [0, 1],
-                    weight: None,
-                    width: 2,
-                    given_by: GivenBy::Points,
-                });
-            }
-            _ => {
-                return Err(format!(
-                    "none of the columns {} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y, or --columns says which they are",
-                    plain.join(",")
-                ));
-            }
-        };
-        Ok(Self {
-            separator,
-            columns,
-            weight: None,
-            width: names.len(),
-            given_by: GivenBy::Names,
-        })
+            None if names.len() <= 2 || names.len() != count => Ok(Self {
+                separator,
+                columns: [0, 1],
+                height: None,
+                weight: None,
+                width: 2,
+                given_by: GivenBy::Points,
+            }),
+            None => Err(format!(
+                "none of the columns {} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y, or --columns says which they are",
+                names.join(",")
+            )),
+        }
+    }
+
+    /// The field of the height of a point, if the columns are named as three coordinates.
+    pub(super) fn height<'a>(&self, row: &'a str) -> Option<&'a str> {
+        self.separator.split(row).nth(self.height?)
     }
 
     /// The point of a row, and its weight if there are weights.
@@ -153,13 +153,17 @@ impl Layout {
             true => double(&field.replacen(',', ".", 1)),
             false => double(field),
         };
-        value.map_err(|message| match message.ends_with("not a number") {
+        let value = value.map_err(|message| match message.ends_with("not a number") {
             true if is_missing(field) => {
                 format!("{message}, and an outline has no gaps; leave this row out")
             }
             true => format!("{message}; each row must be {COLUMNS}"),
             false => message,
-        })
+        })?;
+        if value == 0.0 && exact_literal(field).is_ok_and(|exact| !exact.is_zero()) {
+            return Err(format!("{field} is too small for a double"));
+        }
+        Ok(value)
     }
 }
 

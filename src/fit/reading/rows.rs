@@ -27,6 +27,8 @@ pub(super) fn read_rows(
     let layout = Layout::of(rows.header(), &first, options)
         .map_err(|message| rows.error(number, message))?;
     let mut point = layout.point(&first);
+    let first_number = number;
+    let height = layout.height(&first).map(str::to_owned);
     let mut number = number;
     loop {
         let (xy, weight) = point.map_err(|message| rows.error(number, message))?;
@@ -40,7 +42,18 @@ pub(super) fn read_rows(
         }
         match rows.next_row()? {
             None => return Ok(read),
-            Some((next, row)) => (number, point) = (next, layout.point(row)),
+            Some((next, row)) => {
+                let z = layout.height(row);
+                if let (Some(z), Some(height)) = (z, &height)
+                    && z != height
+                {
+                    let message = format!(
+                        "z is {z} here and {height} in row {first_number}: these are points in space, and an outline is in the plane; --columns says which two coordinates are wanted"
+                    );
+                    return Err(rows.error(next, message));
+                }
+                (number, point) = (next, layout.point(row));
+            }
         }
     }
 }
@@ -86,6 +99,29 @@ mod tests {
     }
 
     #[test]
+    fn a_first_row_of_numbers_is_no_header() {
+        assert_eq!(
+            read("9\u{a0}9\n5\u{a0}0\n").unwrap().0,
+            [[9.0, 9.0], [5.0, 0.0]]
+        );
+        for text in ["9mm;9mm\n1;2\n", "$9;$9\n1;2\n", "-.5m,0.5m\n1,2\n"] {
+            assert!(message(text).contains("row 1: "), "{text}");
+        }
+        let quoted = "id,x,y\n\"a;b\",5,6\n\"c\"\"d\te\",7,8\n";
+        assert_eq!(read(quoted).unwrap().0, [[5.0, 6.0], [7.0, 8.0]]);
+    }
+
+    #[test]
+    fn points_in_space_are_no_outline() {
+        assert_eq!(read("x,y,z\n1,2,0\n3,4,0\n").unwrap().0.len(), 2);
+        let text = "x,y,z\n1,2,0\n3,4,5\n";
+        assert!(message(text).contains("row 3: z is 5 here and 0 in row 2"));
+        let options = OutlineOptions::default().columns(Some("x,z".parse().unwrap()));
+        let chosen = read_rows(&mut text.as_bytes(), &options, "outline.csv").unwrap();
+        assert_eq!(chosen.points, [[1.0, 0.0], [3.0, 5.0]]);
+    }
+
+    #[test]
     fn errors_name_the_row() {
         let mut text: String = (1..17).map(|k| format!("{k},{}\n", k * k)).collect();
         text.push_str("17,abc\n");
@@ -109,6 +145,8 @@ mod tests {
             assert!(message(&format!("{missing},{missing}\n1,2\n")).contains("row 1"));
         }
         assert!(message("1,2\n3,1e999\n").contains("too large for a double"));
+        assert!(message("1,2\n3,1e-400\n").contains("row 2: 1e-400 is too small for a double"));
+        assert_eq!(read("0,0e-400\n").unwrap().0, [[0.0, 0.0]]);
         assert!(message("inf,nan\n").contains("row 1: \"inf\" is not a number"));
         assert!(message("1,2\n3,0x1p99999\n").contains("not a number"));
     }
