@@ -76,12 +76,16 @@ pub(crate) fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlace
     Ok(None)
 }
 
-/// The place of the column with this name, or with this name and a unit.
+/// The place of the column with this name, or with this name and a unit; the only unit of an angle is the radian.
 ///
 /// # Errors
 /// The message if several columns may be it.
 pub(crate) fn place_of(names: &[&str], wanted: &str) -> Result<Option<usize>, String> {
-    let found = any_place_of(names, &[wanted]);
+    let of_units = |units: &[&str]| places_with_unit(names, &[wanted], units);
+    let found = match ANGLES.contains(&wanted) {
+        true => of_units(&["rad", "radian", "radians"]),
+        false => of_units(&UNITS),
+    };
     found.map(Candidates::one).transpose()
 }
 
@@ -111,14 +115,22 @@ impl Candidates<'_> {
 
 /// The columns with one of these names; if there are none, those with one of these names and a unit.
 fn any_place_of<'a>(names: &[&'a str], known: &[&str]) -> Option<Candidates<'a>> {
-    let of_kind = |is_wanted: fn(&str) -> bool| {
+    places_with_unit(names, known, &UNITS)
+}
+
+fn places_with_unit<'a>(
+    names: &[&'a str],
+    known: &[&str],
+    units: &[&str],
+) -> Option<Candidates<'a>> {
+    let of_kind = |is_wanted: &dyn Fn(&str) -> bool| {
         let all = names.iter().copied().enumerate();
         let found: Vec<_> = all
             .filter(|(_, name)| end_of(name, known).is_some_and(|end| is_wanted(&end)))
             .collect();
         (!found.is_empty()).then_some(Candidates(found))
     };
-    of_kind(str::is_empty).or_else(|| of_kind(|end| UNITS.contains(&end)))
+    of_kind(&str::is_empty).or_else(|| of_kind(&|end| units.contains(&end)))
 }
 
 /// The columns that are named as coordinates with the same end, as in `x_nominal` and `y_nominal`.
@@ -236,6 +248,8 @@ mod tests {
         }
         assert_eq!(place_of(&["r_err", "R (mm)"], "r"), Ok(Some(1)));
         assert_eq!(place_of(&["r_err"], "r"), Ok(None));
+        assert_eq!(place_of(&["theta (deg)"], "theta"), Ok(None));
+        assert_eq!(place_of(&["theta_rad"], "theta"), Ok(Some(0)));
         assert!(place_of(&["r", "r"], "r").is_err());
     }
 }
