@@ -18,7 +18,7 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// The solid with these vertices and triangles; `place` names it in messages.
+    /// The solid with these vertices and triangles; `place` names it in messages. Vertices of no triangle are left out.
     ///
     /// ```
     /// use stellate::shape::Solid;
@@ -65,6 +65,7 @@ impl Solid {
             Ok(neighbours) => neighbours,
             Err(message) => return Err(Error::data(place, message)),
         };
+        let (vertices, triangles) = with_used_vertices(vertices, triangles);
         let solid = Self {
             vertices,
             triangles,
@@ -184,6 +185,27 @@ pub(crate) fn determinant([a, b, c]: [[f64; 3]; 3]) -> f64 {
     dot(a, cross(b, c))
 }
 
+/// The vertices that belong to a triangle, in their order, and the triangles with their new indices.
+fn with_used_vertices(
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let mut is_used = vec![false; vertices.len()];
+    for corner in triangles.iter().flatten() {
+        is_used[*corner as usize] = true;
+    }
+    let before = is_used.iter().scan(0, |count, used| {
+        let index = *count;
+        *count += u32::from(*used);
+        Some(index)
+    });
+    let indices: Vec<u32> = before.collect();
+    let triangles = triangles.iter().map(|t| t.map(|v| indices[v as usize]));
+    let triangles = triangles.collect();
+    let used = vertices.into_iter().zip(is_used).filter(|(_, used)| *used);
+    (used.map(|(vertex, _)| vertex).collect(), triangles)
+}
+
 /// The triangles across the edges, or what is wrong with an edge.
 fn neighbours(triangles: &[[u32; 3]]) -> std::result::Result<Vec<[u32; 3]>, String> {
     // The triangle of each directed edge.
@@ -221,4 +243,23 @@ fn neighbours(triangles: &[[u32; 3]]) -> std::result::Result<Vec<[u32; 3]>, Stri
         found.push(row);
     }
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_of_no_triangle_are_left_out() {
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+        let plain = Solid::new(corners.to_vec(), triangles.to_vec(), "a").unwrap();
+        let far = [50.0, 0.0, 0.0];
+        let [a, b, c, d] = corners;
+        let more = vec![far, a, b, far, c, d, far];
+        let moved = triangles.map(|t| t.map(|v: u32| [1, 2, 4, 5][v as usize]));
+        let solid = Solid::new(more, moved.to_vec(), "a").unwrap();
+        assert_eq!(solid.vertices(), plain.vertices());
+        assert_eq!(solid.triangles(), plain.triangles());
+    }
 }
