@@ -201,6 +201,18 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
         let triangles = counted(topology.flat_triangles, "triangle has", "triangles have");
         lines.push(format!("{triangles} two corners at the same place"));
     }
+    if mesh.merged > 0 {
+        let vertices = counted(mesh.merged, "vertex is", "vertices are");
+        lines.push(format!(
+            "{vertices} at the place of others in single precision, which an STL file holds; OBJ and PLY files hold doubles"
+        ));
+    }
+    if mesh.bent_edges > 0 {
+        let edges = counted(mesh.bent_edges, "edge bends", "edges bend");
+        lines.push(format!(
+            "{edges} by more than the wanted angle: there the cells are too large for the surface, and a larger --resolution is needed"
+        ));
+    }
     if mesh.may_meet_origin {
         lines.push(
             "R is not proved to have one sign: the surface may pass through its origin, which the mesh, an image of a sphere, does not show"
@@ -214,7 +226,9 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
                 "it is proved that no bounded piece of the surface is outside of the box"
             }
             Held::Unproved => "a piece of the surface may be outside of the box",
-            Held::NotAsked => "parts of the surface outside of the window are left out",
+            Held::NotAsked => {
+                "parts of the surface that are more than a cell outside of the window are left out"
+            }
         }
         .into(),
     );

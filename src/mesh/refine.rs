@@ -38,9 +38,7 @@ pub(super) fn split(
     shortest: f64,
 ) -> bool {
     let normals = normals(field, vertices);
-    let mut edges: Vec<Edge> = triangles.iter().flat_map(edges).collect();
-    edges.par_sort_unstable();
-    edges.dedup();
+    let edges = all_edges(triangles);
     let candidates = parallel::map(&edges, |&(a, b)| {
         let [m, n] = [a, b].map(|v| normals[v as usize]);
         let [p, q] = [a, b].map(|v| vertices[v as usize].point);
@@ -71,6 +69,28 @@ pub(super) fn split(
         .flat_map(|t| divided(*t, &middles, vertices))
         .collect();
     true
+}
+
+/// The number of edges at whose ends the normals differ by an angle with a cosine below `cosine`; singular points have no normals.
+pub(super) fn bent(
+    field: &Field,
+    vertices: &[Crossing],
+    triangles: &[[u32; 3]],
+    cosine: f64,
+) -> usize {
+    let normals = normals(field, vertices);
+    let is_bent = |&&(a, b): &&Edge| {
+        let [m, n] = [a, b].map(|v| normals[v as usize]);
+        dot(m, m) > 0.0 && dot(n, n) > 0.0 && dot(m, n) < cosine
+    };
+    all_edges(triangles).iter().filter(is_bent).count()
+}
+
+fn all_edges(triangles: &[[u32; 3]]) -> Vec<Edge> {
+    let mut edges: Vec<Edge> = triangles.iter().flat_map(edges).collect();
+    edges.par_sort_unstable();
+    edges.dedup();
+    edges
 }
 
 pub(super) fn edges(triangle: &[u32; 3]) -> [Edge; 3] {

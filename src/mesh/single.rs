@@ -1,7 +1,9 @@
 //! Meshes in single precision, as some files hold them.
 
+use std::collections::HashMap;
+
 use super::triangles::Mesh;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 
 /// The roundings of the length of a vector of three exact doubles are within this factor.
 const ROUNDINGS: f64 = 1.0 + 4.0 * f64::EPSILON;
@@ -17,7 +19,7 @@ pub(crate) fn single(value: f64) -> f32 {
 
 impl Mesh {
     /// The mesh with the coordinates that single precision holds. [`Mesh::vertex_bound`] grows by the largest distance by which a
-    /// vertex moves.
+    /// vertex moves. Vertices at one place become one, as in a file that has only places; [`Mesh::merged`] counts them.
     ///
     /// ```
     /// use stellate::language::Numbers;
@@ -51,6 +53,63 @@ impl Mesh {
             largest = largest.max(moved);
         }
         self.vertex_bound = (self.vertex_bound + largest * ROUNDINGS).next_up();
+        self.merge_equal_vertices();
         Ok(self)
+    }
+
+    fn merge_equal_vertices(&mut self) {
+        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
+        let (mut vertices, mut normals) = (Vec::new(), Vec::new());
+        let mut indices = Vec::with_capacity(self.vertices.len());
+        for (vertex, normal) in self.vertices.iter().zip(&self.normals) {
+            // The sum has no negative zero.
+            let place = vertex.map(|x| (x + 0.0).to_bits());
+            let next =
+                u32::try_from(vertices.len()).invariant("a mesh has fewer than 2^32 vertices");
+            let index = *places.entry(place).or_insert(next);
+            if index == next {
+                vertices.push(*vertex);
+                normals.push(*normal);
+            }
+            indices.push(index);
+        }
+        self.merged += self.vertices.len() - vertices.len();
+        (self.vertices, self.normals) = (vertices, normals);
+        for triangle in &mut self.triangles {
+            *triangle = triangle.map(|v| indices[v as usize]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_that_become_equal_are_one() {
+        // Of the two triangles of a thin square, single precision leaves one, with an edge that is now at the rim.
+        let far = 1e9;
+        let mesh = Mesh {
+            vertices: vec![
+                [far, 0.0, 0.0],
+                [far + 1.0, 0.0, -0.0],
+                [far, 9.0, 0.0],
+                [far + 1.0, 9.5, 0.0],
+            ],
+            normals: vec![[0.0, 0.0, 1.0]; 4],
+            triangles: vec![[0, 1, 2], [1, 3, 2]],
+            ..Mesh::default()
+        };
+        assert_eq!(mesh.topology().components, 1);
+        let rounded = mesh.in_single_precision().unwrap();
+        assert_eq!((rounded.vertices.len(), rounded.merged), (3, 1));
+        assert_eq!(rounded.triangles, [[0, 0, 1], [0, 2, 1]]);
+        let topology = rounded.topology();
+        assert_eq!((topology.flat_triangles, topology.boundary_edges), (1, 3));
+        assert_eq!(
+            (topology.irregular_edges, topology.euler_characteristic),
+            (0, 1)
+        );
+        assert!(!rounded.has_proved_topology());
     }
 }

@@ -37,7 +37,10 @@ impl Mesh {
     pub fn topology(&self) -> MeshTopology {
         // For each edge, how many triangles have it in the ascending and in the descending direction.
         let mut uses: HashMap<(u32, u32), [usize; 2]> = HashMap::new();
-        for triangle in &self.triangles {
+        // A triangle with two corners at one vertex is no part of a surface.
+        let is_real = |[a, b, c]: &&[u32; 3]| a != b && b != c && c != a;
+        let triangles = self.triangles.iter().filter(is_real);
+        for triangle in triangles.clone() {
             for (corner, edge) in edges(triangle).into_iter().enumerate() {
                 let downwards = triangle[corner] != edge.0;
                 uses.entry(edge).or_default()[usize::from(downwards)] += 1;
@@ -51,7 +54,7 @@ impl Mesh {
             irregular_edges: uses.len() - boundary - regular,
             components: self.pieces().1,
             euler_characteristic: signed(self.vertices.len()) - signed(uses.len())
-                + signed(self.triangles.len()),
+                + signed(triangles.count()),
             flat_triangles: self.triangles.iter().filter(|t| self.is_flat(t)).count(),
         }
     }
@@ -86,6 +89,7 @@ impl Mesh {
             && self.cells[1] == 0
             && self.shared_cells == 0
             && !self.may_meet_origin
+            && self.merged == 0
     }
 
     /// The index of the piece of every vertex, and the number of pieces.

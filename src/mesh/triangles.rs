@@ -80,6 +80,10 @@ pub struct Mesh {
     pub points: Vec<[f64; 3]>,
     /// The number of closed pieces that point inward, as the boundary of a solid does where it has a hollow.
     pub inward: usize,
+    /// The number of edges at whose ends the surface has directions that differ by more than the wanted angle.
+    pub bent_edges: usize,
+    /// The number of vertices that single precision has put at the places of others; see [`Mesh::in_single_precision`].
+    pub merged: usize,
 }
 
 /// Meshes the zero set of a polynomial in a box.
@@ -232,6 +236,7 @@ fn add_factor(
         flip::flip(&surface, &mut triangles);
         progress(750 + 60 * (round + 1));
     }
+    mesh.bent_edges += refine::bent(field, &vertices, &triangles, cosine);
     if !open.is_empty() {
         let fine = grid.divided(options.fine);
         let parts = fine.cells_within(field, &open, options.fine, limits)?;
