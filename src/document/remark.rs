@@ -43,6 +43,9 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::DistanceNotMeasured => "the distance between the outline and the fitted curve was not measured: the series has too many harmonics for that".into(),
         Remark::LeftOut { outline, left_out } => left_out_text(outline, left_out),
         Remark::PerfectSquare => PERFECT_SQUARE.into(),
+        Remark::EquationHasMore(kind) => format!(
+            "this is the answer for the equation, which has points that are not on the {kind} (implicitize names some); inspect and plot answer for the {kind} itself"
+        ),
         Remark::RelativeTo(center) => {
             format!("coordinates are relative to the center ({})", listed(center))
         }
@@ -96,6 +99,9 @@ pub fn remark_text(remark: &Remark) -> String {
         ),
         Remark::MayBeSingular => "the surface may have singular points that were not found: isolated points, and curves at which no sheet ends, are not drawn".into(),
         Remark::PiecesMayBeOutside => "a piece of the surface may be outside of the picture".into(),
+        Remark::DrawnInOthersBox(label) => format!(
+            "{label}: only the part in the box of the other forms is shown; --window shows more"
+        ),
         Remark::SurfaceNotSeen(label) => {
             format!("{label}: no part of the surface was found in the box of the picture")
         }

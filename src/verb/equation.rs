@@ -1,8 +1,10 @@
 //! The equation of a form, for the verbs that work with equations.
 
-use super::Work;
+use super::{Remark, Work};
 use crate::error::{Error, Result};
-use crate::implicitize::{SquaredForm, SquaredHarmonics, implicitize_patch, implicitize_plane};
+use crate::implicitize::{
+    SquaredForm, SquaredHarmonics, implicitize_patch, implicitize_plane, point_beyond, turns_back,
+};
 use crate::poly::SparsePolynomial;
 use crate::shape::{
     Form, HarmonicSurface, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric,
@@ -25,17 +27,23 @@ impl Taken {
 }
 
 /// The implicit form of a parametric curve or patch, or of a harmonic surface, relative to its center. Other forms are returned
-/// unchanged.
+/// unchanged. A remark says if the equation is known to have more points than the form, except for isolated ones.
 pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     Ok(match form {
-        Form::PlaneCurve(curve) => Form::Curve(
-            work.stage("implicitize", || implicitize_plane(&curve, work.bounds()))?
-                .curve,
-        ),
-        Form::Patch(patch) => Form::Surface(
-            work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?
-                .surface,
-        ),
+        Form::PlaneCurve(curve) => {
+            let found = work.stage("implicitize", || implicitize_plane(&curve, work.bounds()))?;
+            if turns_back(&curve, found.tracing_index, work.bounds())? {
+                work.remark(Remark::EquationHasMore("curve"));
+            }
+            Form::Curve(found.curve)
+        }
+        Form::Patch(patch) => {
+            let found = work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?;
+            if point_beyond(&patch, &found.surface).is_some() {
+                work.remark(Remark::EquationHasMore("patch"));
+            }
+            Form::Surface(found.surface)
+        }
         Form::Harmonic(surface) => Form::Surface(
             work.stage("implicitize", || squared_harmonics(&surface, work))?
                 .expand(),

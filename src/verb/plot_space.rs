@@ -328,8 +328,9 @@ fn formulas(curve: &SpaceCurve) -> String {
 /// grows to hold their bounded pieces.
 fn box_of_all(drawn: &[Drawn], around: Option<BoxSides>, work: &Work) -> Result<Option<BoxSides>> {
     let (mut around, mut pieces) = (around, None);
+    let mut unbounded = Vec::new();
     for next in drawn {
-        let Drawn::Surface(_, surface) = next else {
+        let Drawn::Surface(label, surface) = next else {
             continue;
         };
         let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
@@ -343,7 +344,14 @@ fn box_of_all(drawn: &[Drawn], around: Option<BoxSides>, work: &Work) -> Result<
             around = joined(around, Some(found.bounds));
         } else {
             pieces = joined(pieces, found.pieces);
+            unbounded.push((label, found.bounds));
         }
     }
-    Ok(around.and_then(|around| joined(Some(around), pieces)))
+    let all = around.and_then(|around| joined(Some(around), pieces));
+    for (label, alone) in unbounded {
+        if all.is_some_and(|all| joined(Some(all), Some(alone)) != Some(all)) {
+            work.remark(Remark::DrawnInOthersBox(label.clone()));
+        }
+    }
+    Ok(all)
 }

@@ -45,6 +45,8 @@ pub enum Remark {
     DistanceNotMeasured,
     /// The polynomial of Theorem 2 is a perfect square; its root is taken.
     PerfectSquare,
+    /// The answer is that of the equation of a parametric form, a curve or a patch, and the equation has points that are not on it.
+    EquationHasMore(&'static str),
     /// Coordinates are relative to this point.
     RelativeTo(Vec<Rational>),
     /// The polynomial of a form with this center is expanded in original coordinates, where its terms cancel.
@@ -105,6 +107,8 @@ pub enum Remark {
     NotDrawn(String),
     /// It is not proved that all bounded pieces of a surface are in the box of a picture.
     PiecesMayBeOutside,
+    /// This surface is drawn in the box of other forms, which does not show all of what would be shown of it alone.
+    DrawnInOthersBox(String),
     /// No part of this surface was found in the box of a picture.
     SurfaceNotSeen(String),
     /// Parts of a surface that are smaller than a cell may be missing in a picture.
