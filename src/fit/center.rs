@@ -60,9 +60,7 @@ impl CenterOrigin {
             Self::Given => "the given point",
             Self::Cloud => "the middle of the points",
             Self::Best => "the point that sees the most of it, as far as a search found",
-            Self::Kernel => {
-                "the middle of the kernel (the centroid does not see the whole outline)"
-            }
+            Self::Kernel => "the middle of the kernel (the points that see the whole outline)",
             Self::ChordMiddle => {
                 "the middle of the longest inside chord at the centroid's height (the centroid lies \
                  outside the outline)"
