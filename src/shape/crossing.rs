@@ -128,7 +128,7 @@ pub(super) fn share_a_point(p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]) 
 }
 
 /// The approximate point in which two segments meet: the crossing of their lines, or the middle of their common part.
-fn meeting_point([p, q]: [[f64; 2]; 2], [r, s]: [[f64; 2]; 2]) -> [f64; 2] {
+pub(super) fn meeting_point([p, q]: [[f64; 2]; 2], [r, s]: [[f64; 2]; 2]) -> [f64; 2] {
     let (u, v) = ([q[0] - p[0], q[1] - p[1]], [s[0] - r[0], s[1] - r[1]]);
     let cross = u[0] * v[1] - u[1] * v[0];
     let t = ((r[0] - p[0]) * v[1] - (r[1] - p[1]) * v[0]) / cross;
