@@ -150,9 +150,13 @@ impl Drawing {
         let is_visible = style.visibility().unwrap_or(next.is_visible);
         let port = next.port.transformed(&style.placement()?)?;
         let mut open = |port: Viewport| {
-            // The first child is drawn first.
-            let children = node.children().filter(Node::is_element).rev();
-            pending.extend(children.map(|node| Pending {
+            let mut all = node.children().filter(Node::is_element);
+            let children: Vec<_> = match node.tag_name().name() {
+                "switch" => all.find(is_chosen).into_iter().collect(),
+                // The first child is drawn first.
+                _ => all.rev().collect(),
+            };
+            pending.extend(children.into_iter().map(|node| Pending {
                 node,
                 port,
                 used: None,
@@ -236,6 +240,13 @@ impl Drawing {
             false => format!("; it has {}", all.join(", ")),
         }
     }
+}
+
+/// Whether a child of a `switch` may be the one that is drawn: it asks for no language, or for English, and for no extension.
+fn is_chosen(node: &Node<'_, '_>) -> bool {
+    let mut languages = node.attribute("systemLanguage").unwrap_or("en").split(',');
+    let is_english = |tag: &str| tag.trim() == "en" || tag.trim().starts_with("en-");
+    languages.any(is_english) && node.attribute("requiredExtensions").is_none()
 }
 
 /// Whether an element is one of SVG.

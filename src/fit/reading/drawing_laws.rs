@@ -201,6 +201,20 @@ fn styles_say_what_is_drawn_and_where() {
             [78.0, 82.0, 38.0, 42.0],
         ),
         (
+            format!(r#"<g style="opacity:0">{rect}/></g>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(r#"{rect} opacity="0.5"/>{small}"#),
+            [10.0, 20.0, 30.0, 40.0],
+        ),
+        (
+            format!(
+                r#"<switch><g systemLanguage="tlh">{rect}/></g><g systemLanguage="de, en-GB">{small}</g><circle r="90"/></switch>"#
+            ),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
             format!(
                 r#"<g visibility="hidden">{rect} style="visibility:visible"/><circle r="90"/></g>{small}"#
             ),

@@ -10,7 +10,13 @@ use svgtypes::{Length, LengthUnit};
 const NOT_READ: [&str; 4] = ["translate", "rotate", "scale", "transform-box"];
 
 /// Properties that are read.
-const READ: [&str; 4] = ["display", "visibility", "transform", "transform-origin"];
+const READ: [&str; 5] = [
+    "display",
+    "visibility",
+    "opacity",
+    "transform",
+    "transform-origin",
+];
 /// The largest number of rules that hide or move shapes: each is compared with every element.
 const MAX_RULES: usize = 200;
 
@@ -80,9 +86,11 @@ impl<'a> ElementStyle<'a, '_> {
         declared.or_else(|| self.node.attribute(name))
     }
 
-    /// Whether an element and what is in it are drawn.
+    /// Whether an element and what is in it are drawn, and not wholly transparent.
     pub(super) fn is_displayed(&self) -> bool {
-        self.property("display") != Some("none")
+        let opacity = self.property("opacity");
+        let opacity = opacity.and_then(|text| text.trim_end_matches('%').parse::<f64>().ok());
+        self.property("display") != Some("none") && opacity.is_none_or(|value| value > 0.0)
     }
 
     /// Whether an element says that it can be seen, or that it cannot; `None` if it is as what is around it.
