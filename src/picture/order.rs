@@ -5,6 +5,9 @@ use crate::error::Invariant;
 /// Up to this number of pieces the planes of the facets divide the pieces; more pieces are first divided by planes across an
 /// axis.
 const LEAF: usize = 100;
+/// Cuts make no more pieces than so many for each of the first ones, and so many besides.
+const MOST_CUTS: usize = 4;
+const MORE_CUTS: usize = 100_000;
 /// Points that are nearer to a plane than this part of the scene's size are on the plane.
 const ON_PLANE: f64 = 1e-9;
 
@@ -24,7 +27,8 @@ struct Plane {
 }
 
 /// The pieces from the farthest to the nearest, as seen from `eye`: no piece hides a later one. Facets and segments that cross
-/// a plane of the partition are cut there, so surfaces that intersect each other are drawn rightly.
+/// a plane of the partition are cut there, so surfaces that intersect each other are drawn rightly. Of many facets that all cross each
+/// other, those in one place are ordered by distance when there are too many cuts.
 ///
 /// Cost: about n log n for n pieces of usual scenes, with some tenths more pieces at the end.
 pub(super) fn from_behind(pieces: Vec<Piece>, eye: [f64; 3]) -> Vec<Piece> {
@@ -32,44 +36,75 @@ pub(super) fn from_behind(pieces: Vec<Piece>, eye: [f64; 3]) -> Vec<Piece> {
     for value in pieces.iter().flat_map(|p| &p.corners).flatten().chain(&eye) {
         largest = largest.max(value.abs());
     }
-    let mut ordered = Vec::with_capacity(pieces.len() * 3 / 2);
-    order(pieces, eye, ON_PLANE * largest, &mut ordered);
-    ordered
+    let mut order = Order {
+        eye,
+        near: ON_PLANE * largest,
+        room: pieces.len() * MOST_CUTS + MORE_CUTS,
+        ordered: Vec::with_capacity(pieces.len() * 3 / 2),
+    };
+    order.add(pieces);
+    order.ordered
 }
 
-fn order(pieces: Vec<Piece>, eye: [f64; 3], near: f64, ordered: &mut Vec<Piece>) {
-    if pieces.len() > LEAF
-        && let Some(plane) = across(&pieces)
-        && let Ok([behind, on, before]) = divided(&pieces, &plane, near)
-        && behind.len().max(before.len()) * 10 < pieces.len() * 9
-    {
-        let (far, close) = sides(&plane, eye, behind, before);
-        order(far, eye, near, ordered);
-        ordered.extend(lines_over_facets(on));
-        order(close, eye, near, ordered);
-        return;
+/// The pieces that have been ordered.
+struct Order {
+    eye: [f64; 3],
+    near: f64,
+    /// The number of pieces that cuts may still make.
+    room: usize,
+    ordered: Vec<Piece>,
+}
+
+impl Order {
+    fn add(&mut self, pieces: Vec<Piece>) {
+        if self.room == 0 {
+            return self.add_by_distance(pieces);
+        }
+        if pieces.len() > LEAF
+            && let Some(plane) = across(&pieces)
+            && let Ok(parts) = divided(&pieces, &plane, self.near)
+            && parts[0].len().max(parts[2].len()) * 10 < pieces.len() * 9
+        {
+            return self.add_parts(pieces.len(), &plane, parts);
+        }
+        let facets = pieces.iter().filter(|p| p.corners.len() > 2);
+        let count = facets.clone().count();
+        // A facet from the middle of the list is the first candidate, because neighbours in the list are neighbours on a surface.
+        let planes = facets.skip(count / 2).chain(pieces.iter());
+        let plane = planes
+            .filter(|p| p.corners.len() > 2)
+            .find_map(Piece::plane);
+        let parts = plane.and_then(|plane| {
+            let parts = divided(&pieces, &plane, self.near).ok()?;
+            let [behind, on, before] = parts.each_ref().map(Vec::len);
+            // Else the plane does not contain its own facet.
+            let is_divided = on > 0 || behind.max(before) < pieces.len();
+            is_divided.then_some((plane, parts))
+        });
+        match parts {
+            Some((plane, parts)) => self.add_parts(pieces.len(), &plane, parts),
+            None => self.add_by_distance(pieces),
+        }
     }
-    let facets = pieces.iter().filter(|p| p.corners.len() > 2);
-    let count = facets.clone().count();
-    // A facet from the middle of the list is the first candidate, because neighbours in the list are neighbours on a surface.
-    let planes = facets.skip(count / 2).chain(pieces.iter());
-    let Some(plane) = planes
-        .filter(|p| p.corners.len() > 2)
-        .find_map(Piece::plane)
-    else {
-        return by_distance(pieces, eye, ordered);
-    };
-    let Ok([behind, on, before]) = divided(&pieces, &plane, near) else {
-        return by_distance(pieces, eye, ordered);
-    };
-    if on.is_empty() && (behind.len() == pieces.len() || before.len() == pieces.len()) {
-        // The plane does not contain its own facet, so the pieces are ordered by distance.
-        return by_distance(pieces, eye, ordered);
+
+    /// Adds the pieces behind, on and in front of a plane, which are the parts of `count` pieces.
+    fn add_parts(&mut self, count: usize, plane: &Plane, [behind, on, before]: [Vec<Piece>; 3]) {
+        let made = (behind.len() + on.len() + before.len()).saturating_sub(count);
+        self.room = self.room.saturating_sub(made);
+        let (far, close) = sides(plane, self.eye, behind, before);
+        self.add(far);
+        self.ordered.extend(lines_over_facets(on));
+        self.add(close);
     }
-    let (far, close) = sides(&plane, eye, behind, before);
-    order(far, eye, near, ordered);
-    ordered.extend(lines_over_facets(on));
-    order(close, eye, near, ordered);
+
+    fn add_by_distance(&mut self, mut pieces: Vec<Piece>) {
+        let distance = |piece: &Piece| -> f64 {
+            let middle = piece.middle();
+            (0..3).map(|k| (middle[k] - self.eye[k]).powi(2)).sum()
+        };
+        pieces.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+        self.ordered.extend(pieces);
+    }
 }
 
 /// The pieces in one plane, with facets before lines and points, because facets in a plane can only hide these.
@@ -90,15 +125,6 @@ fn sides(
     } else {
         (before, behind)
     }
-}
-
-fn by_distance(mut pieces: Vec<Piece>, eye: [f64; 3], ordered: &mut Vec<Piece>) {
-    let distance = |piece: &Piece| -> f64 {
-        let middle = piece.middle();
-        (0..3).map(|k| (middle[k] - eye[k]).powi(2)).sum()
-    };
-    pieces.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
-    ordered.extend(pieces);
 }
 
 /// A plane across the axis along which the pieces extend most, through the median of their middles.
@@ -232,6 +258,34 @@ mod tests {
             .windows(2)
             .map(|w| minus(&w[0]).cross(&minus(&w[1])).norm());
         parts.sum::<f64>() / 2.0
+    }
+
+    #[test]
+    fn cuts_are_bounded() {
+        // Each of 300 squares through one point would be cut by all others.
+        let squares = (0..300).map(|k| {
+            let turn = |angle: f64| {
+                nalgebra::Rotation3::from_euler_angles(angle, 1.7 * angle, 0.3 * angle)
+            };
+            let corners = [
+                [-1.0, -1.0, 0.0],
+                [1.0, -1.0, 0.0],
+                [1.0, 1.0, 0.0],
+                [-1.0, 1.0, 0.0],
+            ];
+            let turned = corners.map(|c| (turn(f64::from(k)) * nalgebra::Vector3::from(c)).into());
+            piece(&turned, usize::try_from(k).unwrap())
+        });
+        let squares: Vec<Piece> = squares.collect();
+        let before: f64 = squares.iter().map(area).sum();
+        let ordered = from_behind(squares, [3.0, 4.0, 5.0]);
+        assert!(
+            (5_000..2 * (300 * MOST_CUTS + MORE_CUTS)).contains(&ordered.len()),
+            "{}",
+            ordered.len()
+        );
+        let after: f64 = ordered.iter().map(area).sum();
+        assert!((before - after).abs() < 1e-6 * before);
     }
 
     #[test]

@@ -19,7 +19,7 @@ const CELLS: u32 = 54;
 const CELLS_PER_DEGREE: u32 = 8;
 
 /// A picture has no more cells than this because of oscillations.
-const MOST_CELLS: f64 = 30_000.0;
+const MOST_CELLS: f64 = 20_000.0;
 
 /// A point of the grid: the coordinates, which are not finite at poles, and the signs of the denominators.
 struct Node {
@@ -229,7 +229,7 @@ mod tests {
         }
         // All of them are drawn.
         let [along_u, along_v] = patch.cells_for_oscillations();
-        assert!(along_u > 160 && along_v > 140 && along_u * along_v <= 30_000);
+        assert!(along_u > 140 && along_v > 120 && along_u * along_v <= 20_000);
     }
 
     #[test]
