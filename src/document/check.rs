@@ -291,10 +291,13 @@ fn write_worst(found: &Comparison, out: &mut dyn Write) -> Result<()> {
     let lines: Vec<[String; 3]> = rows
         .iter()
         .map(|row| {
-            let exact = row
-                .exact
-                .as_ref()
-                .map_or_else(|| "no r > 0 on this ray".into(), shown);
+            let exact = match (&row.exact, &row.place) {
+                (Some(exact), _) => shown(exact),
+                (None, GivenNumber::Point { position, .. }) if *position == [0.0; 3] => {
+                    "not on the form; every ray begins here".into()
+                }
+                (None, _) => "no r > 0 on this ray".into(),
+            };
             [place(row, found.in_space), format!("{:?}", row.got), exact]
         })
         .collect();

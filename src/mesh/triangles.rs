@@ -133,7 +133,12 @@ pub fn mesh_surface(
     if f.degree().is_none_or(|degree| degree == 0) {
         return Err(Error::Usage("a constant has no surface".into()));
     }
-    let is_box = |[a, b]: &[f64; 2]| a.is_finite() && b.is_finite() && a < b;
+    if options.bounds.iter().flatten().any(|x| !x.is_finite()) {
+        return Err(Error::Usage(
+            "the surface reaches beyond the range of doubles, in which the vertices of a mesh are; in a larger unit of length it does not".into(),
+        ));
+    }
+    let is_box = |[a, b]: &[f64; 2]| a < b;
     if !options.bounds.iter().all(is_box) || options.resolution == 0 {
         return Err(Error::Usage(
             "a mesh needs a box with positive sides and at least one cell".into(),
