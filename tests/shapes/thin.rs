@@ -136,6 +136,45 @@ fn stl_files_are_within_their_bounds() {
     assert!(!folder.path().join("h.stl").exists());
 }
 
+/// An STL file has only places, of which single precision makes some equal; what is said is true of what is left.
+#[test]
+fn stl_files_have_the_topology_that_is_said() {
+    let folder = tempdir().unwrap();
+    let file = folder.path().join("s.stl");
+    for (form, is_whole) in [
+        ("(x-1000)^2+y^2+z^2=1", true),
+        ("(x-5000000)^2+(y-400000)^2+z^2=100", false),
+    ] {
+        let run = run_in(folder.path(), &["mesh", form, "-o", "s.stl"], "");
+        assert_eq!(run.code, 0, "{}", run.err);
+        let mesh = stl_io::read_stl(&mut fs::File::open(&file).unwrap()).unwrap();
+        let said = format!("{} vertices", mesh.vertices.len());
+        assert!(run.err.contains(&said), "{said}: {}", run.err);
+        assert_eq!(run.err.contains(", watertight"), is_whole, "{}", run.err);
+        assert_eq!(run.err.contains("not watertight"), !is_whole);
+        assert_eq!(
+            run.err.contains("OBJ and PLY files hold doubles"),
+            !is_whole
+        );
+        // The mesh is read again exactly if it is watertight.
+        let fit = run_in(folder.path(), &["fit", "s.stl", "--degree=2"], "");
+        assert_eq!(fit.code, if is_whole { 0 } else { 2 }, "{}", fit.err);
+    }
+}
+
+/// Where cells are too large for the surface, its edges bend by more than the angle, which is said.
+#[test]
+fn edges_that_bend_too_much_are_counted() {
+    let folder = tempdir().unwrap();
+    let said = |form: &str| {
+        let run = run_in(folder.path(), &["mesh", form, "-o", "m.obj"], "");
+        assert_eq!(run.code, 0, "{}", run.err);
+        run.err.contains("by more than the wanted angle")
+    };
+    assert!(!said("x^2+y^2+z^2=1"));
+    assert!(said("(x^2+y^2+z^2-1)*((x-100)^2+y^2+z^2-1)"));
+}
+
 /// The image of a sphere tells the topology of a harmonic surface only where R has one sign.
 #[test]
 fn radii_that_change_their_sign_prove_no_topology() {
