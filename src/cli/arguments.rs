@@ -6,13 +6,13 @@ use std::time::Duration;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
-use stellate::verb::{BoxSides, CoordinatesFrom, Frame};
+use stellate::verb::{BoxSides, CoordinatesFrom, DIGITS, Frame, MESH_RESOLUTION, PICTURE_CELLS};
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
 use super::flags::{ArcFlags, FitFlags, ProofFlag};
 use super::inspect_arguments::Inspect;
 use super::values::{
-    Angle, angle, degrees, frame, marked_point, range, space_window, time, view, whole,
+    Angle, angle, degrees, frame, marked_point, range, space_window, time, view, whole, within,
 };
 
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
@@ -65,7 +65,7 @@ pub(crate) struct Common {
     pub(crate) format: Option<Format>,
     /// Decimals shown for algebraic numbers [default: 16]; inspect: significant digits of the distances [default: 6];
     /// check: the digits that everything must have
-    #[arg(long, global = true, value_name = "D", value_parser = whole::<u32>(0..=10_000, 16))]
+    #[arg(long, global = true, value_name = "D", value_parser = within(DIGITS))]
     pub(crate) digits: Option<u32>,
     /// Read decimals as written, or as the nearest double
     #[arg(long, global = true, value_enum, default_value_t = NumberReading::Exact)]
@@ -433,7 +433,7 @@ pub(crate) struct Mesh {
     #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
     pub(crate) window: Option<BoxSides>,
     /// Cells along the longest side of the box
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = whole::<u32>(2..=1024, 64))]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = within(MESH_RESOLUTION))]
     pub(crate) resolution: u32,
     /// Edges are split where the surface bends by more than this: degrees, or with a unit as pi/9
     #[arg(long, value_name = "DEGREES", default_value = "20", value_parser = degrees)]
@@ -468,7 +468,7 @@ pub(crate) struct Plot {
     pub(crate) width: Option<u32>,
     /// Cells along the larger side: for tracing implicit curves [default: 240], for surfaces [default: 36], along
     /// each parameter of a patch [default: 54]
-    #[arg(long, value_name = "N", value_parser = whole::<u32>(8..=4000, 240))]
+    #[arg(long, value_name = "N", value_parser = within(PICTURE_CELLS))]
     pub(crate) cells: Option<u32>,
     /// In space: a point to be marked; may be repeated
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = marked_point)]

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use stellate::exact::Rational;
 use stellate::fit::{CenterChoice, Column, Columns, Estimator, FitModel};
-use stellate::verb::BoxSides;
+use stellate::verb::{ARC_RESOLUTION, BoxSides};
 
-use super::values::{center, column, columns, positive, space_window, whole};
+use super::values::{center, column, columns, positive, space_window, whole, within};
 
 /// How the curve in which two surfaces meet is followed.
 #[derive(Debug, Args)]
@@ -16,7 +16,7 @@ pub(crate) struct ArcFlags {
     #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
     pub(crate) window: Option<BoxSides>,
     /// For an intersection: steps along the longest side of the box, at least [default: 64]
-    #[arg(long, value_name = "N", value_parser = whole::<u32>(2..=4096, 64))]
+    #[arg(long, value_name = "N", value_parser = within(ARC_RESOLUTION))]
     pub(crate) resolution: Option<u32>,
 }
 

@@ -10,6 +10,7 @@ use crate::check::{Comparison, DOUBLE_DIGITS, Diagnosis, GivenNumber, Meaning, R
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::notation::Notation;
+use crate::verb::DIGITS;
 
 /// The number of significant decimals of exact numbers, three more than a double has.
 const SHOWN_DIGITS: u32 = 20;
@@ -96,6 +97,9 @@ pub fn write_check(
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
+    if let Some(mark) = mark {
+        DIGITS.check(mark)?;
+    }
     match format {
         Format::Text => write_text(found, mark, out),
         Format::Csv => write_table(found, out),

@@ -16,7 +16,7 @@ use crate::inspect::{
     CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section, ToleranceZone,
     Verdict,
 };
-use crate::verb::{KeptPoint, PointWriter};
+use crate::verb::{DIGITS, KeptPoint, PointWriter};
 
 /// A summary in one line of text. `number` is the name of a point's number, such as its row.
 #[must_use]
@@ -232,6 +232,7 @@ impl InspectionWriter {
     /// Those of [`Kind::check`].
     pub fn new(format: Format, dimension: usize, digits: u32) -> Result<Self> {
         Kind::Verdicts.check(format)?;
+        DIGITS.check(digits)?;
         Ok(Self {
             format,
             dimension,

@@ -13,7 +13,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::shape::Form;
 use crate::verb::{
-    Described, DescribedForm, Implicitization, Parametrized, SampledPoints, Samples,
+    DIGITS, Described, DescribedForm, Implicitization, Parametrized, SampledPoints, Samples,
 };
 
 /// Writes the equation or equations that `implicitize` found, with the facts about them.
@@ -46,6 +46,7 @@ pub fn write_described(
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
+    DIGITS.check(digits)?;
     match &found.what {
         DescribedForm::Equation(description) => write_description(
             description,
@@ -78,6 +79,7 @@ pub fn write_parametrized(
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
+    DIGITS.check(digits)?;
     match found {
         Parametrized::Curve { polar, fit } => {
             if !found.is_series() {

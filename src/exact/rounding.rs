@@ -142,8 +142,9 @@ impl Rational {
         let rounded = Integer::rounding_from(scaled.inner(), RoundingMode::Nearest).0;
         let sign = if rounded < 0 { "-" } else { "" };
         let digits = (&rounded).abs().to_string();
-        let width = decimals as usize + 1;
-        let padded = format!("{digits:0>width$}");
+        // The width of a format is at most 65 535.
+        let missing = (decimals as usize + 1).saturating_sub(digits.len());
+        let padded = "0".repeat(missing) + &digits;
         let (whole, fraction) = padded.split_at(padded.len() - decimals as usize);
         if fraction.is_empty() {
             format!("{sign}{whole}")
@@ -252,6 +253,15 @@ mod tests {
         assert_eq!(
             nearest(Rational::from((1i64 << 53) + 3)),
             9_007_199_254_740_996.0
+        );
+    }
+
+    #[test]
+    fn decimals_are_as_many_as_are_asked_for() {
+        let tenth: Rational = "-1/10".parse().unwrap();
+        assert_eq!(
+            tenth.to_decimal(70_000),
+            format!("-0.1{}", "0".repeat(69_999))
         );
     }
 

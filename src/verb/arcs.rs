@@ -1,5 +1,6 @@
 //! Searches for certified arcs of intersections, for the verbs `parametrize`, `sample` and `plot`.
 
+use super::allowed::{ARC_RESOLUTION, check_sides};
 use super::equation::check_surface;
 use super::{BoxSides, Work};
 use crate::arcs::{ArcOptions, IntersectionArcs, trace_intersection};
@@ -35,11 +36,15 @@ pub(super) fn arcs(
         check_surface(surface, work)?;
     }
     let bounds = match search.window {
-        Some(window) => window,
+        Some(window) => {
+            check_sides(&window)?;
+            window
+        }
         None => work.stage("bounds", || box_of([first, second], work))?,
     };
     let mut options = ArcOptions::new(bounds);
     if let Some(resolution) = search.resolution {
+        ARC_RESOLUTION.check(resolution)?;
         options = options.resolution(resolution);
     }
     let progress = work.progress("arcs", 1000);

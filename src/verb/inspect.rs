@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::against::{Against, AgainstPlaneCurve, AskedPoint, Level};
+use super::allowed::{DIGITS, check_positive};
 use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
 use super::fit::{exact_form, is_positive_radius};
 use super::{Given, Remark, Work};
@@ -40,7 +41,7 @@ options! {
         lower: Option<Rational> = None,
         /// The uncertainty of the points: the true point is at most this far from the measured one; see [`ToleranceZone`].
         uncertainty: Rational = Rational::zero(),
-        /// The search radius for the nearest point of the form; at least the tolerance. If no point of the form is within it,
+        /// The search radius for the nearest point of the form, greater than 0; at least the tolerance. If no point of the form is within it,
         /// the lower bound of the distance is this radius and the upper bound is infinite. By default the search goes on until the
         /// nearest point is found.
         reach: Option<f64> = None,
@@ -116,13 +117,18 @@ const INSPECT: Taken = Taken {
 ///
 /// # Errors
 /// Those of the fit and of the equation; [`Error::Usage`] for a form that is neither a surface nor a plane curve, for two different
-/// limits and a form without sides, and those of [`ToleranceZone`] and [`Inspector`].
+/// limits and a form without sides, for a reach that is not positive and digits beyond [`DIGITS`], and those of [`ToleranceZone`] and
+/// [`Inspector`].
 pub fn inspect(
     given: Given,
     dimension: usize,
     options: &InspectionOptions,
     work: &Work,
 ) -> Result<InspectionTask> {
+    DIGITS.check(options.digits)?;
+    if let Some(reach) = options.reach {
+        check_positive("--reach", reach)?;
+    }
     let zone = match &options.lower {
         None => ToleranceZone::within(options.tolerance.clone())?,
         Some(lower) => ToleranceZone::new(lower.clone(), options.tolerance.clone())?,

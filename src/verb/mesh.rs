@@ -1,5 +1,6 @@
 //! The verb `mesh`: triangles of a surface, for other programs.
 
+use super::allowed::{MESH_RESOLUTION, check_sides};
 use super::equation::{check_surface, cylinder, through_equation};
 use super::fit::exact_form;
 use super::singular::singular_parts;
@@ -46,9 +47,13 @@ options! {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] for a form that is no surface, an angle out of range, and a surface without a real point; [`Error::Limit`] if no
+/// [`Error::Usage`] for a form that is no surface, an angle, a resolution or a window out of range, and a surface without a real point; [`Error::Limit`] if no
 /// part of the surface is found.
 pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh> {
+    MESH_RESOLUTION.check(options.resolution)?;
+    if let Some(window) = &options.window {
+        check_sides(window)?;
+    }
     if !(MIN_ANGLE..=180.0).contains(&options.angle) {
         return Err(Error::Usage(format!(
             "--angle {}: expected degrees between {MIN_ANGLE} and 180",

@@ -31,6 +31,7 @@
 //! ```
 
 mod against;
+mod allowed;
 mod arcs;
 mod cancelled;
 mod check;
@@ -77,6 +78,7 @@ mod work;
 mod zero_set;
 
 pub use crate::mesh::BoxSides;
+pub use allowed::{ARC_RESOLUTION, Allowed, DIGITS, MESH_RESOLUTION, PICTURE_CELLS};
 pub use arcs::ArcSearch;
 pub use check::{
     CheckOptions, CheckTask, FloatKind, FloatNumbers, MAX_VECTOR_DIRECTIONS, VectorOptions, check,

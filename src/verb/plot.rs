@@ -2,7 +2,9 @@
 
 use super::equation::{Taken, check_curve};
 use super::fit::{OutlineSeries, fit_cloud_series, fit_series, refuse_fit_options};
-use super::plot_options::{PlotOptions, check_ranges, plane_window, range_of, range_text, width};
+use super::plot_options::{
+    PlotOptions, check_options, check_ranges, plane_window, range_of, range_text, width,
+};
 use super::plot_space::{is_in_space, scene};
 use super::zero_set::ZeroSet;
 use super::{Content, Given, Remark, Work};
@@ -47,8 +49,10 @@ const PLOT: Taken = Taken {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] if forms of the plane and of space are mixed, or if an option does not belong to the forms.
+/// [`Error::Usage`] if forms of the plane and of space are mixed, if an option does not belong to the forms, or if its value is out of
+/// range.
 pub fn plot(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String> {
+    check_options(options)?;
     check_ranges(&forms, &options.ranges)?;
     if forms.iter().any(is_in_space) {
         refuse_fit_options(&options.fit)?;

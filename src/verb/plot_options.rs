@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use super::allowed::{PICTURE_CELLS, check_sides};
 use super::{BoxSides, Content, Given};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
@@ -60,6 +61,33 @@ options! {
         cells: Option<u32> = None,
         /// For pictures in space: points that are marked.
         points: Vec<[f64; 3]> = Vec::new(),
+    }
+}
+
+/// Refuses options that no picture has.
+pub(super) fn check_options(options: &PlotOptions) -> Result<()> {
+    if let Some(cells) = options.cells {
+        PICTURE_CELLS.check(cells)?;
+    }
+    match &options.window {
+        None => {}
+        Some(Frame::Plane(window)) => check_sides(&[window.x, window.y])?,
+        Some(Frame::Space(sides)) => check_sides(sides)?,
+    }
+    for (name, [a, b]) in &options.ranges {
+        if !(a < b && a.is_finite() && b.is_finite()) {
+            return Err(Error::Usage(format!(
+                "--range {name}={a},{b}: expected NAME=A,B with A < B, such as t=-2,2 or t=0,2pi"
+            )));
+        }
+    }
+    match options.view {
+        Some([azimuth, elevation]) if !(azimuth.is_finite() && elevation.abs() < 90.0) => {
+            Err(Error::Usage(format!(
+                "--view {azimuth},{elevation}: expected AZIMUTH,ELEVATION in degrees, such as 30,25, with the elevation between -90 and 90"
+            )))
+        }
+        _ => Ok(()),
     }
 }
 

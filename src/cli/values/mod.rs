@@ -10,7 +10,7 @@ pub(crate) use angle::{Angle, angle, degrees, range, view};
 pub(crate) use list::{
     center, column, columns, frame, marked_point, point, space_window, tolerance,
 };
-pub(crate) use number::{positive, whole};
+pub(crate) use number::{positive, whole, within};
 pub(crate) use time::time;
 
 /// A value, or the message for a text that is not one.

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use stellate::exact::{Rational, exact_literal};
+use stellate::verb::Allowed;
 
 use super::Read;
 
@@ -30,6 +31,12 @@ pub(crate) fn whole<T: TryFrom<u64>>(
         let found = found.and_then(|n| T::try_from(n).ok());
         found.ok_or_else(|| no_whole_number(text, &range, example))
     }
+}
+
+/// A reader of the whole numbers that an option takes.
+pub(crate) fn within(allowed: Allowed) -> impl Fn(&str) -> Read<u32> + Clone + Send + Sync {
+    let (least, most) = allowed.range().into_inner();
+    whole(u64::from(least)..=u64::from(most), allowed.usual().into())
 }
 
 /// The message for a text that is not a whole number in the range.
