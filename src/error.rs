@@ -129,6 +129,15 @@ impl Error {
         }
     }
 
+    /// The reason of the system, for an error of reading or writing, else the whole message.
+    #[cfg(feature = "python")]
+    pub(crate) fn reason(&self) -> String {
+        match self {
+            Error::Io { source, .. } => reason(source),
+            _ => self.to_string(),
+        }
+    }
+
     /// An [`Error::Limit`] without finished parts.
     pub(crate) fn limit(limit: impl Into<String>) -> Self {
         Error::Limit {

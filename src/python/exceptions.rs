@@ -6,10 +6,11 @@ use pyo3::prelude::*;
 
 use crate::error::Error;
 
-create_exception!(_native, StellateError, PyException);
-create_exception!(_native, InputError, StellateError);
-create_exception!(_native, LimitReached, StellateError);
-create_exception!(_native, InternalError, StellateError);
+// They are pickled by the name of the package, from which they can be imported.
+create_exception!(stellate, StellateError, PyException);
+create_exception!(stellate, InputError, StellateError);
+create_exception!(stellate, LimitReached, StellateError);
+create_exception!(stellate, InternalError, StellateError);
 
 /// The exception for an error of the library, with the same message.
 pub(super) fn exception(error: &Error) -> PyErr {
@@ -18,7 +19,11 @@ pub(super) fn exception(error: &Error) -> PyErr {
         Error::Limit { .. } => LimitReached::new_err(message),
         Error::Internal { .. } => InternalError::new_err(message),
         Error::Interrupted => PyKeyboardInterrupt::new_err(message),
-        Error::Io { .. } => PyOSError::new_err(message),
+        // With the number of the error, Python makes a FileNotFoundError and the like of it.
+        Error::Io { path, source } => match source.raw_os_error() {
+            Some(number) => PyOSError::new_err((number, error.reason(), path.clone())),
+            None => PyOSError::new_err(message),
+        },
         _ => InputError::new_err(message),
     }
 }

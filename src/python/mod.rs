@@ -1,6 +1,7 @@
 //! The native part of the Python package `stellate`. It takes and returns texts and columns of numbers; the package makes Python
 //! objects of them.
 
+mod contour;
 mod exceptions;
 mod inspector;
 mod options;

@@ -3,6 +3,8 @@
 use std::time::Duration;
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -133,8 +135,29 @@ fn numbers(name: Option<&str>) -> Result<Numbers> {
     }
 }
 
-fn object<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T> {
-    serde_json::from_str(text).map_err(|error| Error::Usage(format!("options: {error}")))
+/// Reads a JSON object of options.
+fn object<T: DeserializeOwned>(text: &str) -> Result<T> {
+    serde_json::from_str(text).map_err(|error| wrong_option::<T>(text, &error))
+}
+
+/// The error for options that cannot be read: the first one that cannot be read alone is named.
+fn wrong_option<T: DeserializeOwned>(text: &str, error: &serde_json::Error) -> Error {
+    let all: serde_json::Map<String, Value> = serde_json::from_str(text).unwrap_or_default();
+    let wrong = all.into_iter().find_map(|(name, value)| {
+        let shown = value.to_string();
+        let alone = Value::Object([(name.clone(), value)].into_iter().collect());
+        let fault = serde_json::from_value::<T>(alone).err()?.to_string();
+        let expected = fault.split_once("expected ").map(|(_, type_)| type_);
+        let whole = "a whole number that is not negative, and not too large";
+        Some(match expected {
+            Some("u8") => format!("{name}: expected a whole number from 0 to 255, not {shown}"),
+            Some("u32" | "usize") => format!("{name}: expected {whole}, not {shown}"),
+            Some("f64") => format!("{name}: expected a number, not {shown}"),
+            Some(expected) => format!("{name}: expected {expected}, not {shown}"),
+            None => format!("{name}: {fault}"),
+        })
+    });
+    Error::Usage(wrong.unwrap_or_else(|| format!("options: {error}")))
 }
 
 impl Options {

@@ -4,6 +4,7 @@ use std::io::Cursor;
 
 use serde_json::json;
 
+use super::contour;
 use super::options::{Options, directions, none_of, reading};
 use crate::document::{
     Format, InspectionWriter, MeshFormat, ReportHead, json_schema, missing_text, write_check,
@@ -14,8 +15,8 @@ use crate::document::{
 use crate::error::{Error, Result};
 use crate::language::Numbers;
 use crate::verb::{
-    self, CheckOptions, Content, DescribeOptions, FigureFormat, FittedOutline, FloatKind, Given,
-    OutlineFit, ParametrizeOptions, PointRows, PointSource, ReadOptions, ReadingOptions,
+    self, CheckOptions, Content, DIGITS, DescribeOptions, FigureFormat, FittedOutline, FloatKind,
+    Given, OutlineFit, ParametrizeOptions, PointRows, PointSource, ReadOptions, ReadingOptions,
     SampleOptions, VectorOptions, Work, digits_chart, ladder_chart,
 };
 
@@ -39,7 +40,10 @@ pub(super) fn given(source: &Source, options: &ReadOptions, work: &Work) -> Resu
     let (text, place, _) = source;
     work.stage("read", || match place {
         None => Given::read_with(text, options, work),
-        Some(place) => Given::from_reader_with(text.as_bytes(), place, options, work),
+        Some(place) => match contour::read(text, place, options)? {
+            Some(content) => Ok(Given::new(place, content)),
+            None => Given::from_reader_with(text.as_bytes(), place, options, work),
+        },
     })
 }
 
@@ -107,6 +111,8 @@ impl Call<'_> {
     fn written(&self, data: Vec<u8>) -> Result<Vec<u8>> {
         let (options, work) = (self.options, self.work);
         let digits = options.digits.unwrap_or(DECIMALS);
+        // The writers check this, too, but only after the work.
+        DIGITS.check(digits)?;
         let format = match (self.verb, options.format.as_deref()) {
             ("plot" | "mesh" | "inspect" | "check", _) | (_, None) => Format::Json,
             (_, Some(name)) => name.parse()?,
@@ -115,10 +121,7 @@ impl Call<'_> {
         match self.verb {
             "form" => match self.one()?.content() {
                 Content::Exact(form) => write_form(form, &[], format, &mut out)?,
-                _ => {
-                    let document = json!({ "schema": "stellate/1", "kind": "contour" });
-                    out = document.to_string().into_bytes();
-                }
+                content => out = contour::written(content)?,
             },
             "describe" => {
                 let asked = DescribeOptions::default()
@@ -221,7 +224,10 @@ impl Call<'_> {
             let options = reading(how)?;
             let outlines = match place {
                 None => Given::read_all_with(text, &options)?,
-                Some(place) => Given::all_from_reader_with(text.as_bytes(), place, &options)?,
+                Some(place) => match contour::read(text, place, &options)? {
+                    Some(content) => vec![Ok(Given::new(place, content))],
+                    None => Given::all_from_reader_with(text.as_bytes(), place, &options)?,
+                },
             };
             let before = rows.len();
             for (k, found) in outlines.into_iter().enumerate() {
