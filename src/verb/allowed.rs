@@ -101,6 +101,11 @@ pub(super) fn check_sides(sides: &[[f64; 2]]) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::{Format, write_described};
+    use crate::language::Numbers;
+    use crate::verb::{
+        DescribeOptions, Given, InspectionOptions, MeshingOptions, Work, describe, inspect, mesh,
+    };
 
     #[test]
     fn wrong_numbers_are_refused_with_their_option() {
@@ -121,5 +126,56 @@ mod tests {
             assert!(check_sides(&[[wrong, -1.0], [0.0, 1.0]]).is_err());
         }
         assert!(check_sides(&[[-1.0, 1.0], [0.0, 1.0]]).is_ok());
+    }
+
+    #[test]
+    fn verbs_and_writers_refuse_what_the_command_line_refuses() {
+        let given = || Given::read("x^2 + y^2 = 1", Numbers::Exact).unwrap();
+        let work = Work::default();
+        for reach in [-1.0, 0.0, f64::INFINITY] {
+            let options = InspectionOptions::default().reach(Some(reach));
+            let message = inspect(given(), 2, &options, &work)
+                .unwrap_err()
+                .to_string();
+            assert!(
+                message.starts_with(&format!("--reach {reach}: ")),
+                "{message}"
+            );
+        }
+        let found = describe(given(), &DescribeOptions::default(), &work).unwrap();
+        let mut out = Vec::new();
+        assert!(write_described(&found, 10_001, Format::Text, &mut out).is_err());
+        assert!(out.is_empty());
+        let options = MeshingOptions::default().resolution(1);
+        let message = mesh(given(), &options, &work).unwrap_err().to_string();
+        assert!(message.starts_with("--resolution 1: "), "{message}");
+    }
+
+    #[cfg(feature = "pictures")]
+    #[test]
+    fn pictures_are_refused_with_the_option() {
+        use crate::verb::{Frame, PlotOptions, plot};
+        let window = crate::picture::Window {
+            x: [1.0, -1.0],
+            y: [0.0, 1.0],
+        };
+        let usual = PlotOptions::default;
+        for (options, option) in [
+            (usual().cells(Some(7)), "--cells 7: "),
+            (usual().view(Some([0.0, 90.0])), "--view 0,90: "),
+            (
+                usual().ranges(vec![("t".into(), [1.0, 1.0])]),
+                "--range t=1,1: ",
+            ),
+            (
+                usual().window(Some(Frame::Plane(window))),
+                "--window 1,-1,0,1: ",
+            ),
+        ] {
+            let curve = Given::read("x = t; y = t^2", Numbers::Exact).unwrap();
+            let message = plot(vec![curve], &options, &Work::default());
+            let message = message.unwrap_err().to_string();
+            assert!(message.starts_with(option), "{message}");
+        }
     }
 }
