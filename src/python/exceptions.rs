@@ -21,7 +21,9 @@ pub(super) fn exception(error: &Error) -> PyErr {
         Error::Interrupted => PyKeyboardInterrupt::new_err(message),
         // With the number of the error, Python makes a FileNotFoundError and the like of it.
         Error::Io { path, source } => match source.raw_os_error() {
-            Some(number) => PyOSError::new_err((number, error.reason(), path.clone())),
+            Some(number) => {
+                PyOSError::new_err((number, error.reason(), path.as_os_str().to_owned()))
+            }
             None => PyOSError::new_err(message),
         },
         _ => InputError::new_err(message),

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -145,17 +145,20 @@ fn wrong_option<T: DeserializeOwned>(text: &str, error: &serde_json::Error) -> E
     let all: serde_json::Map<String, Value> = serde_json::from_str(text).unwrap_or_default();
     let wrong = all.into_iter().find_map(|(name, value)| {
         let shown = value.to_string();
-        let alone = Value::Object([(name.clone(), value)].into_iter().collect());
-        let fault = serde_json::from_value::<T>(alone).err()?.to_string();
-        let expected = fault.split_once("expected ").map(|(_, type_)| type_);
-        let whole = "a whole number that is not negative, and not too large";
-        Some(match expected {
-            Some("u8") => format!("{name}: expected a whole number from 0 to 255, not {shown}"),
-            Some("u32" | "usize") => format!("{name}: expected {whole}, not {shown}"),
-            Some("f64") => format!("{name}: expected a number, not {shown}"),
-            Some(expected) => format!("{name}: expected {expected}, not {shown}"),
-            None => format!("{name}: {fault}"),
-        })
+        let alone = json!({ name.as_str(): value }).to_string();
+        let fault = serde_json::from_str::<T>(&alone).err()?.to_string();
+        let fault = fault.split(" at line").next().unwrap_or_default();
+        let expected = match fault
+            .split_once("expected ")
+            .map_or(fault, |(_, kind)| kind)
+        {
+            "u8" => "a whole number from 0 to 255",
+            "u32" | "usize" => "a whole number that is not negative, and not too large",
+            "f64" => "a number",
+            "fewer elements in array" | "trailing characters" => "fewer numbers",
+            other => other,
+        };
+        Some(format!("{name}: expected {expected}, not {shown}"))
     });
     Error::Usage(wrong.unwrap_or_else(|| format!("options: {error}")))
 }
