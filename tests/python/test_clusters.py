@@ -103,7 +103,7 @@ def test_the_columns_are_named(spark, points):
     found = inspect(frame, TORUS, "1/10", columns=("east", "y", "z"))
     assert found.columns == ["id", "east", "y", "z", "verdict", "curve", "distance_low", "distance_high", "sign"]
     assert found.count() == 10
-    with pytest.raises(ValueError, match="verdict"):
+    with pytest.raises(stellate.InputError, match="verdict"):
         inspect(found, TORUS, "1/10", columns=("east", "y", "z"))
 
 

@@ -104,7 +104,7 @@ def test_arrow_in_and_out():
     assert stellate.inspect("x^2 + y^2 = 1", renamed, 1, names=("east", "north")).inside.tolist() == [True, True, False]
     with pytest.raises(stellate.InputError, match="no column 'x'"):
         stellate.inspect("x^2 + y^2 = 1", renamed, 1)
-    with pytest.raises(stellate.InputError, match="holds no numbers"):
+    with pytest.raises(stellate.InputError, match="column .id.: numbers are expected"):
         stellate.inspect("x^2 + y^2 = 1", table, 1, names=("id", "y"))
     with_null = pyarrow.table({"x": [1.0, None], "y": [0.0, 0.0]})
     with pytest.raises(stellate.InputError, match="row 1"):

@@ -109,7 +109,8 @@ def test_inspection_and_check():
     with pytest.raises(stellate.InputError, match="one of"):
         stellate.check(surface)
     ladder = stellate.check("r = 1 + cos(3*t)/5", itself=True)
-    assert len(ladder.columns) >= 3
+    assert len(ladder.columns) >= 3 and "numbers of harmonics" in repr(ladder)
+    assert f"{right['compared']} compared" in repr(right)
 
 
 def test_fits_of_many_kinds(tmp_path):
@@ -146,6 +147,74 @@ def test_fits_of_many_kinds(tmp_path):
     with pytest.raises(stellate.InputError, match="cross|touch"):
         stellate.fit(crossing, 4)
     assert stellate.fit(crossing, 4, repair=True).form.kind == "fourier"
+
+
+def test_a_table_of_fits_has_columns_of_one_type(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    square = "x,y\n0,0\n{0},0\n{0},{0}\n0,{0}\n"
+    names = ["#1.csv", "001", "1e5.csv", 'a, "b".csv']
+    for name in names:
+        Path(name).write_text(square.format("2e20"))
+    for model in ("radius", "elliptic"):
+        table = stellate.fit(names, 2, model, all=True)
+        assert table.columns["file"].tolist() == names
+        assert table.to_arrow().column("file").to_pylist() == names
+        kinds = {name: column.dtype.kind for name, column in table.columns.items()}
+        texts = {"file": "U", "model": "U", "star_shaped": "U", "blob": "i", "harmonics": "i", "degree": "i"}
+        assert kinds == {name: texts.get(name, "f") for name in kinds}
+        assert len(stellate.fit(["#1.csv"], 2, model, all=True)) == 1
+    assert np.isnan(table.columns["center_x"]).all()
+    # The coefficient of a large outline is larger than all integers of 64 bits.
+    assert stellate.fit("001", 0, all=True).columns["cos_0"][0] > 2.0**63
+
+
+@pytest.mark.parametrize(
+    "call, message",
+    [
+        (lambda: stellate.describe("r = 1 + 3/2*cos(2*t)", digits=65536), "--digits 65536: .*to 10000"),
+        (lambda: stellate.parametrize("x^2 + y^2 = 2x", digits=70000), "--digits 70000"),
+        (lambda: stellate.check("r = 1", radii=[[0, 1]], digits=10001), "--digits 10001"),
+        (lambda: stellate.form("r = 1").distance([2, 0], digits=10001), "--digits 10001"),
+        (lambda: stellate.inspect("r = 1", [[5, 0]], 1, reach=-1), "--reach -1: .*greater than 0"),
+        (lambda: stellate.inspect("r = 1", [[5, 0]], 1, reach=0), "--reach 0"),
+        (lambda: stellate.inspect("r = 1", [[5, 0]], 1, reach=np.inf), "reach: inf is not a finite number"),
+        (lambda: stellate.inspect("r = 1", [[5, 0]], 1, budget=-1), "budget: expected a whole number.*not -1"),
+        (lambda: stellate.describe("r = 1", time_limit=np.inf), "time_limit: inf"),
+        (lambda: stellate.describe("r = 1", max_degree=2.5), "max_degree: expected a whole number"),
+        (lambda: stellate.describe("r = 1", harmonics="x"), "harmonics: expected a whole number"),
+        (lambda: stellate.plot("r = 1", window=(0, np.nan, 0, 1)), "window: nan"),
+        (lambda: stellate.plot("r = 1", cells=0), "--cells 0: .*8 to 4000"),
+        (lambda: stellate.plot("R = 1", view=(0, 90)), "--view 0,90"),
+        (lambda: stellate.plot("R = 1", view=(0, 9, 0)), "view: expected fewer numbers"),
+        (lambda: stellate.plot("x = t; y = t^2", range={"t": (1, 0)}), "--range t=1,0"),
+        (lambda: stellate.plot("x = t; y = t^2", range={"t": (0, np.inf)}), "range: inf"),
+        (lambda: stellate.mesh("R = 1", resolution=1), "--resolution 1: .*2 to 1024"),
+        (lambda: stellate.sample("x^2 + y^2 = 1; z = y^5", resolution=1), "--resolution 1: .*2 to 4096"),
+        (lambda: stellate.form("r = 1", threshold=300).kind, "threshold: expected .*0 to 255"),
+        (lambda: stellate.fit(np.empty((0, 2)), 2), "at least three points"),
+        (lambda: stellate.fit([[0, 0], [1, 0], [0, 1]], 2, weights=[1, np.nan, 1]), "weights: that of the point 1 is nan"),
+        (lambda: stellate.fit([[0, 0], [1, 0], [0, 1]], 2, weights=[1, 1, -1]), "weights: that of the point 2 is -1"),
+    ],
+)
+def test_options_out_of_range_are_named(call, message):
+    with pytest.raises(stellate.InputError, match=message):
+        call()
+
+
+def test_numbers_of_numpy_are_options():
+    assert len(stellate.sample("r = 1", np.int64(3))) == 6
+    near, by_numpy = (stellate.inspect("x^2 + y^2 + z^2 = 1", [[9, 0, 0]], 1, reach=reach) for reach in (3.0, np.float32(3)))
+    assert near.distance_low.tolist() == by_numpy.distance_low.tolist()
+    points = [[0, 0], [4, 0], [3, 2], [0, 4]]
+    harmonics = stellate.fit(points, np.int32(1), robust=np.bool_(True), threads=np.int16(1)).form.cos
+    assert len(harmonics) == 2
+    assert stellate.plot("R = 1", view=np.array([10, 20]), width=np.uint16(400)).startswith(b"<svg")
+
+
+def test_a_missing_file_is_a_file_that_is_not_found():
+    with pytest.raises(FileNotFoundError, match="missing.csv") as caught:
+        stellate.form("missing.csv").kind
+    assert caught.value.filename == "missing.csv"
 
 
 def test_the_options_of_the_program():

@@ -5,8 +5,8 @@
 >>> curve.degree, curve.parts
 (4, [4, 3, 2])
 
-Exact numbers are ``int`` and ``fractions.Fraction``; a float that is given is taken exactly, bit for bit. Angles are in radians. Remarks of
-the verbs go to the logger ``stellate``, at the level INFO.
+Exact numbers are ``int`` and ``fractions.Fraction``; a float that is given is taken exactly, bit for bit. Coordinates of points are doubles,
+and what would be rounded to one is refused. Angles are in radians. Remarks of the verbs go to the logger ``stellate``, at the level INFO.
 """
 
 from ._check import check

@@ -1,42 +1,26 @@
-"""Calls of the native functions, and exact numbers as texts."""
+"""Calls of the native functions."""
 
 from __future__ import annotations
 
 import json
 import os
-from fractions import Fraction
+from math import isfinite
+from operator import index
 from typing import Any, Callable, Iterable, Union
 
 import numpy as np
 
 from . import _native
 
-Number = Union[int, float, str, Fraction]
 #: Called as ``progress(what, done, total)`` some ten times a second while a verb works.
 Progress = Callable[[str, int, int], object]
+# Options that the native functions take by another name.
+RENAMED = {"ranges": "range", "points": "point", "thetas": "theta", "phis": "phi"}
 # A text or a path, or the text of a document or table with a name for messages; and the options of how it is read, as JSON.
 Source = tuple[str, Union[str, None], str]
 
 # The answer that was finished when a limit ended the rest; None if there is none.
 _native.LimitReached.finished = None
-
-
-def exact(number: Number) -> str:
-    """The text of a number: a float is its exact binary value, as in ``Fraction(0.1)``."""
-    if isinstance(number, (float, np.floating)):
-        try:
-            return str(Fraction(float(number)))
-        except (ValueError, OverflowError) as error:
-            raise _native.InputError(f"{number} is not a number") from error
-    if isinstance(number, (int, np.integer)):
-        return str(int(number))
-    return str(number)
-
-
-def value(text: str) -> int | Fraction:
-    """The number that a text of a document is."""
-    number = Fraction(text)
-    return number.numerator if number.denominator == 1 else number
 
 
 def tell(notes: Iterable[str]) -> None:
@@ -48,7 +32,29 @@ def tell(notes: Iterable[str]) -> None:
 
 
 def native_options(options: dict[str, Any]) -> str:
-    return json.dumps({k: v for k, v in options.items() if v is not None})
+    """The options that are given as the native functions take them, with numbers of Python for those of NumPy."""
+    return json.dumps({k: _plain(RENAMED.get(k, k), v) for k, v in options.items() if v is not None})
+
+
+def _plain(name: str, value: Any) -> Any:
+    """An option without numbers of NumPy; a number that no option can be is refused."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(name, one) for one in value]
+    if isinstance(value, (str, bool)):
+        return value
+    try:
+        return index(value)
+    except TypeError:
+        pass
+    try:
+        number = float(value)
+    except (TypeError, ValueError) as error:
+        raise _native.InputError(f"{name}: {value!r} is neither a number nor a text") from error
+    if not isfinite(number):
+        raise _native.InputError(f"{name}: {number} is not a finite number")
+    return number
 
 
 def call(

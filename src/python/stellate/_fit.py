@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+import numpy.typing as npt
+
 from ._form import Form
-from ._points import any_column, rows_of
+from ._points import rows_of
 from ._results import Table
 
 if TYPE_CHECKING:
@@ -35,7 +38,7 @@ class Fit:
 
     @property
     def distance(self) -> tuple[float, float] | None:
-        """Certified bounds of the Hausdorff distance between the outline and the curve; None for a mesh."""
+        """Certified bounds of the Hausdorff distance between the outline and the curve, or the mesh and the surface; None if there are none."""
         found = self.document.get("distance")
         return None if found is None else (float(found["low"]), float(found["high"]))
 
@@ -50,12 +53,12 @@ class FitTable(Table):
     ----------
     columns : dict of ndarray
         One element for each outline, with the names of the program's table: ``file, blob, model, harmonics, degree, …`` and the
-        coefficients.
+        coefficients. Files, models and whether a curve is star-shaped are texts, and what an outline does not have is NaN.
     """
 
     def __init__(self, text: str) -> None:
         rows = rows_of(text)
-        self.columns = {name: any_column([row[name] for row in rows]) for name in rows[0]}
+        self.columns = {name: _column(name, [row[name] for row in rows]) for name in rows[0]}
 
     def __len__(self) -> int:
         return len(self.columns["file"])
@@ -68,3 +71,12 @@ class FitTable(Table):
         import pyarrow
 
         return pyarrow.table({k: v.tolist() if v.dtype.kind == "U" else v for k, v in self.columns.items()})
+
+
+def _column(name: str, texts: list[str]) -> npt.NDArray[Any]:
+    """A column of the table, of the type that its name has in every table."""
+    if name in ("file", "model", "star_shaped"):
+        return np.array(texts, dtype=np.str_)
+    if name in ("blob", "harmonics", "degree"):
+        return np.array(texts, dtype=np.str_).astype(np.int64)
+    return np.array([float(text) if text else np.nan for text in texts])

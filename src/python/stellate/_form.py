@@ -11,7 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._call import Progress, Source, call, exact, native_options, tell, value
+from ._call import Progress, Source, call, native_options, tell
+from ._numbers import value
 from ._points import Doubles, Points, columns
 from ._results import NONE
 from ._symbols import to_latex, to_sympy
@@ -28,7 +29,8 @@ class Form:
 
     The exact numbers of a form are ``int`` or ``fractions.Fraction``.
 
-    Two forms are equal if they are of one kind, have the same exact data and the same center. Equations are F = 0, so they are equal up to
+    Two forms are equal if they are of one kind, have the same exact data and the same center; outlines, if they have the same vertices from
+    the same first one on, with the same weights, wherever they were read. Equations are F = 0, so they are equal up to
     a constant factor of F; a curve and a radius that describe the same points are different forms. Equal forms have equal hashes.
 
     >>> import stellate
@@ -62,7 +64,7 @@ class Form:
 
     def source(self, reading: dict[str, Any] | None = None) -> Source:
         """The form as the native functions take it, with further options of how it is read."""
-        return (self.text, self.place, json.dumps({**self.reading, **(reading or {})}))
+        return (self.text, self.place, native_options({**self.reading, **(reading or {})}))
 
     @property
     def document(self) -> dict[str, Any]:
@@ -137,7 +139,8 @@ class Form:
         """The form as a SymPy expression.
 
         Of an equation its polynomial F; of a Fourier radius r in the symbol ``theta``, of a harmonic surface R in ``theta`` and ``phi``; of
-        a parametric form a ``Tuple`` of the coordinates, of an intersection one of the polynomials; of a superquadric its F.
+        a parametric form a ``Tuple`` of the coordinates, of an intersection one of the polynomials; of a superquadric its F. It is relative
+        to the center of the form, which is no part of the expression; `center` tells it.
 
         Raises
         ------
@@ -149,7 +152,7 @@ class Form:
         return to_sympy(self)
 
     def latex(self) -> str:
-        """The form in LaTeX: an equation, or one for each coordinate or surface, with line breaks between them."""
+        """The form in LaTeX: an equation, or one for each coordinate or surface, with line breaks between them; behind it the center."""
         return to_latex(self)
 
     def _repr_latex_(self) -> str | None:
@@ -278,19 +281,20 @@ class Form:
     def _identity(self) -> tuple[Any, ...]:
         """What makes a form equal to another."""
         if self._key is None:
-            document = self.document
-            is_contour = document["kind"] == "contour"
-            self._key = ("contour", *self.source()) if is_contour else _identity(document)
+            self._key = _identity(self.document)
         return self._key
 
     def __reduce__(self) -> tuple[type[Form], tuple[str, str | None, dict[str, Any]]]:
         # A file may be elsewhere, or another one, where this is read again.
-        if self.place is None and os.path.exists(self.text) and self.kind != "contour":
+        if self.place is None and os.path.exists(self.text):
             return (Form, (self.to_json(), os.path.basename(self.text), {}))
         return (Form, (self.text, self.place, self.reading))
 
     def __repr__(self) -> str:
-        return f"stellate.form({self.text!r})" if self.place is None else f"<stellate form from {self.place}>"
+        if self.place is not None:
+            return f"<stellate form from {self.place}>"
+        how = "".join(f", {name}={option!r}" for name, option in self.reading.items())
+        return f"stellate.form({self.text!r}{how})"
 
 
 def _terms(document: dict[str, Any]) -> dict[tuple[int, ...], int | Fraction]:
@@ -299,22 +303,25 @@ def _terms(document: dict[str, Any]) -> dict[tuple[int, ...], int | Fraction]:
 
 def _identity(document: dict[str, Any]) -> tuple[Any, ...]:
     kind = document["kind"]
-    center = tuple(Fraction(c) for c in document.get("center", ()))
+    center = tuple(value(c) for c in document.get("center", ()))
     placed = (kind, center if any(center) else ())
     if kind == "implicit":
         terms = sorted(_terms(document).items(), reverse=True)
-        first = Fraction(terms[0][1]) if terms else Fraction(1)
-        monic = tuple((exponents, c / first) for exponents, c in terms)
+        first = terms[0][1] if terms else 1
+        monic = tuple((exponents, Fraction(c) / first) for exponents, c in terms)
         return (*placed, len(document["variables"]), monic)
     if kind == "intersection":
         return (*placed, tuple(_identity(surface) for surface in document["surfaces"]))
     if kind == "fourier":
-        pairs = [(Fraction(a), Fraction(b)) for a, b in zip(document["cos"], document["sin"])]
+        pairs = [(value(a), value(b)) for a, b in zip(document["cos"], document["sin"])]
         while len(pairs) > 1 and not any(pairs[-1]):
             pairs.pop()
         return (*placed, tuple(pairs))
     if kind == "spherical":
-        values = {(c["l"], c["m"]): Fraction(c["value"]) for c in document["coefficients"]}
+        values = {(c["l"], c["m"]): value(c["value"]) for c in document["coefficients"]}
         return (*placed, tuple(sorted((k, v) for k, v in values.items() if v)))
+    if kind == "contour":
+        vertices = tuple(tuple(point) for point in document["points"])
+        return (kind, document["cloud"], document["resolution"], vertices, tuple(document["weights"]))
     names = ("parameters", "coordinates", "dimension", "a", "e", "level")
     return (*placed, json.dumps({k: document[k] for k in names if k in document}, sort_keys=True))

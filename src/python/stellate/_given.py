@@ -9,12 +9,14 @@ from operator import index
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Sequence, Union
 
-from ._call import Number, Source, exact, value
+from ._call import Source
 from ._fit import Fit
 from ._form import Form
 from ._native import InputError
+from ._numbers import Number, exact, value
 from ._options import Prepared, ReadingOptions, prepared
-from ._points import AXES, Points, columns, csv_table
+from ._points import AXES, Doubles, Points, columns, csv_table
+from ._symbols import of_sympy
 
 if TYPE_CHECKING:
     import sympy
@@ -39,7 +41,9 @@ def floats(numbers: Sequence[float] | None) -> list[float] | None:
 
 
 def form(given: FormLike, **reading: Unpack[ReadingOptions]) -> Form:
-    """A form from a text, a path, a document, the terms of a polynomial, a fit, or a SymPy expression in x, y and z.
+    """A form from a text, a path, a document, the terms of a polynomial, a fit, or a SymPy expression.
+
+    Floats are taken exactly, bit for bit, also those of SymPy.
 
     Options
     -------
@@ -68,7 +72,7 @@ def form(given: FormLike, **reading: Unpack[ReadingOptions]) -> Form:
         is_document = given.lstrip().startswith("{")
         return Form(given, "document" if is_document else None, how)
     if type(given).__module__.startswith("sympy"):
-        return Form(str(given), None, how)
+        return Form(of_sympy(given), None, how)
     raise InputError(f"a form is a text, a path or terms, not {type(given).__name__}")
 
 
@@ -106,12 +110,20 @@ def from_series(cos: Sequence[Number], sin: Sequence[Number] | None = None) -> F
     if size == 0:
         raise InputError("a series has at least the mean, cos[0]")
     padded = [[*map(exact, list_), *["0"] * (size - len(list_))] for list_ in (cos, sin)]
-    if value(padded[1][0]) != 0:
+    if len(sin) and not _is_zero(padded[1][0]):
         raise InputError(
-            f"sin[0] is {padded[1][0]}, but there is no sine of the order 0: sin[n] belongs to sin nθ"
+            "sin[0] is not 0, but there is no sine of the order 0: sin[n] belongs to sin nθ"
         )
     document = {"schema": "stellate/1", "kind": "fourier", "cos": padded[0], "sin": padded[1]}
     return Form(json.dumps(document), "series")
+
+
+def _is_zero(text: str) -> bool:
+    try:
+        return value(text) == 0
+    except (ValueError, ZeroDivisionError):
+        # The reader says what is wrong with it.
+        return True
 
 
 def from_points(points: Points, **reading: Unpack[ReadingOptions]) -> Form:
@@ -119,8 +131,15 @@ def from_points(points: Points, **reading: Unpack[ReadingOptions]) -> Form:
 
     With ``cloud=True``, points in no order.
     """
-    axes, shape, _ = columns(points)
-    if len(axes) != 2 or len(shape) != 1:
-        raise InputError(f"points: an outline is an array of shape (n, 2), not {(*shape, len(axes))}")
     how = prepared(dict(reading), ReadingOptions).reading
-    return Form(csv_table(axes, AXES).decode(), "points.csv", how)
+    return Form(csv_table(vertices(points), AXES).decode(), "points.csv", how)
+
+
+def vertices(points: Points) -> list[Doubles]:
+    """The columns of the points of an outline."""
+    axes, shape, _ = columns(points)
+    if len(axes) != 2 or len(shape) != 1 or axes[0].size < 3:
+        raise InputError(
+            f"points: an outline is an array of shape (n, 2) with at least three points, not {(*shape, len(axes))}"
+        )
+    return axes

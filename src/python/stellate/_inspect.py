@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
 import numpy as np
 
-from ._call import Number, Source, call, exact, native_options, write
+from ._call import Source, call, native_options, write
 from ._given import FormLike, Path, extension, floats, form
 from ._native import InputError
+from ._numbers import Number, exact
 from ._options import Center, CommonOptions, prepared
 from ._points import AXES, Points, columns, csv_table, good_rows
-from ._results import Inspection
+from ._results import Inspection, answer_columns, refuse_answers
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -60,7 +61,8 @@ def inspect(
     given : form, text or path
         A surface, or a curve of the plane (for points in space a cylinder) or of space.
     points : array_like of float64, shape (…, 2) or (…, 3), or a table with Arrow's PyCapsule interface
-        Each double is taken exactly. Arrays and Arrow columns of doubles are read in place.
+        Each double is taken exactly; other numbers are refused if they are no doubles. What is masked or null is missing. Arrays and Arrow
+        columns of doubles are read in place.
     tolerance : number or text, or a pair of them
         The largest distance that is inside, exactly: ``"0.1"`` is a tenth, ``0.1`` the double. Two limits ``(low, high)`` with
         low ≤ 0 ≤ high are those of the signed distance, which is negative inside a form with sides.
@@ -77,7 +79,7 @@ def inspect(
     budget : int
         Cubes that may be divided for one point before it is undecided.
     keep : bool
-        ``to_arrow()`` begins with the columns of the table of points.
+        ``to_arrow()`` begins with the columns of the table of points, none of which may have the name of an answer.
     skip_bad : bool
         Leave points out that are missing or not finite, instead of refusing the first.
     plot, report, cloud : path
@@ -92,7 +94,7 @@ def inspect(
     Raises
     ------
     InputError
-        For a form without points to compare with, or a point that is not finite, by its row from 0.
+        For a form without points to compare with, a reach that is not positive, or a point that is not finite, by its row from 0.
 
     >>> import stellate
     >>> stellate.inspect("x^2 + y^2 = 1", [[1, 0], [3, 0]], tolerance=1).verdict.tolist()
@@ -102,6 +104,8 @@ def inspect(
     axes, shape, table = columns(points, names)
     if keep and table is None:
         raise InputError("keep is for tables; an array has no other columns")
+    if keep and table is not None:
+        refuse_answers(table.column_names, answer_columns(len(axes), feet))
     row = np.arange(axes[0].size)
     if skip_bad:
         good = good_rows(axes)
@@ -118,7 +122,7 @@ def inspect(
     answers, at = inspector.inspect_with_feet(axes, progress) if feet else (inspector.inspect(axes, progress), None)
     _draw(found.source(asked.reading), csv_table(axes, AXES) if plot or report or cloud or proof else b"",
           dict(verb, window=floats(window)), plot, report, cloud, proof)  # fmt: skip
-    return Inspection(answers, shape, row, table if keep else None, at)
+    return Inspection(answers, shape, row, table if keep else None, len(axes), at)
 
 
 def _limits(tolerance: Tolerance) -> dict[str, Any]:
@@ -131,12 +135,12 @@ def _limits(tolerance: Tolerance) -> dict[str, Any]:
 
 def exact_tolerance(tolerance: Tolerance) -> str | tuple[str, str]:
     """The text of a tolerance, or those of two limits."""
-    if not isinstance(tolerance, (tuple, list)):
+    if np.ndim(tolerance) == 0:  # type: ignore[arg-type]
         return exact(tolerance)
-    if len(tolerance) != 2:
+    limits = tuple(map(exact, tolerance))  # type: ignore[arg-type]
+    if len(limits) != 2:
         raise InputError("tolerance: one number, or a pair (low, high) of limits of the signed distance")
-    low, high = tolerance
-    return exact(low), exact(high)
+    return limits
 
 
 def _draw(

@@ -6,7 +6,8 @@ from typing import Any, Literal, NamedTuple, Sequence, TypedDict, Union
 
 import numpy.typing as npt
 
-from ._call import Number, Progress, exact
+from ._call import Progress
+from ._numbers import Number, exact
 
 Center = Union[Literal["auto", "centroid", "kernel", "best"], Sequence[Number]]
 

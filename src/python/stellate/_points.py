@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._native import InputError
+from ._numbers import fraction
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
 Doubles = npt.NDArray[np.float64]
 AXES = ("x", "y", "z")
+# All integers up to here are doubles.
+WHOLE = 2.0**53
 
 
 class ArrowStream(Protocol):
@@ -40,11 +44,14 @@ class Columns(NamedTuple):
 
 
 def columns(points: Points, names: Sequence[str] = AXES) -> Columns:
-    """The columns of an array of shape (…, 2) or (…, 3), or of a table with columns of these names, of which the third is optional."""
+    """The columns of an array of shape (…, 2) or (…, 3), or of a table with columns of these names, of which the third is optional.
+
+    A coordinate that is no double is refused. What is masked or null is missing: NaN.
+    """
     table = arrow_table(points)
     if table is not None:
         return _of_table(table, names)
-    array = np.asarray(points, dtype=np.float64)
+    array = doubles(points, "points")
     if array.ndim == 0 or array.shape[-1] not in (2, 3):
         raise InputError(
             f"points: an array of shape (n, 2) or (n, 3) is expected, not {array.shape}"
@@ -86,15 +93,66 @@ def _doubles(table: pa.Table, name: str) -> Doubles:
     import pyarrow
 
     column = table.column(name)
+    kind = column.type
     try:
+        if not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind)):
+            raise pyarrow.ArrowInvalid(f"{kind} is not converted")
         chunks = column.cast(pyarrow.float64()).chunks
-    except (pyarrow.ArrowInvalid, pyarrow.ArrowNotImplementedError) as error:
-        raise InputError(f"points: the column {name!r} holds no numbers: {error}") from error
+    except pyarrow.ArrowInvalid:
+        # Integers that are no doubles, decimals, and what is no number.
+        return doubles(np.array(column.to_pylist(), dtype=object), f"points: the column {name!r}")
     arrays = [chunk.to_numpy(zero_copy_only=False) for chunk in chunks]
     if len(arrays) == 1:
         one: Doubles = arrays[0]
         return one
     return np.concatenate(arrays) if arrays else np.empty(0)
+
+
+def doubles(numbers: Any, place: str) -> Doubles:
+    """The same numbers as doubles, in place if they are. A number that would be rounded is refused; what is masked or None is NaN."""
+    if isinstance(numbers, (list, tuple)) and any(isinstance(part, np.ma.MaskedArray) for part in numbers):
+        numbers = np.ma.array(numbers)
+    if isinstance(numbers, np.ma.MaskedArray):
+        found = np.array(doubles(numbers.filled(0), place))
+        found[np.ma.getmaskarray(numbers)] = np.nan
+        return found
+    array = np.asarray(numbers)
+    kind, size = array.dtype.kind, array.itemsize
+    if kind == "f" and size <= 8:
+        found = array.astype(np.float64, copy=False)
+        if isinstance(numbers, np.ndarray) or not (np.abs(found) >= WHOLE).any():
+            return found
+        # A list may have had integers that NumPy has rounded.
+        array, kind = np.array(numbers, dtype=object), "O"
+    if kind == "O":
+        return np.array([_double(number, place) for number in array.flat], np.float64).reshape(array.shape)
+    if kind not in "fiub":
+        raise InputError(f"{place}: numbers are expected, not {array.dtype}")
+    found = array.astype(np.float64)
+    rounded = np.abs(found) >= WHOLE if kind in "iu" else found.astype(array.dtype) != array
+    for number in array[rounded]:
+        _double(number, place)
+    return found
+
+
+def _double(number: object, place: str) -> float:
+    """The number as a double, if it is one; NaN for None."""
+    if isinstance(number, float):
+        return number
+    if number is None or number is np.ma.masked:
+        return np.nan
+    if isinstance(number, np.floating) and not np.isfinite(number):
+        return float(number)
+    exact = None if isinstance(number, str) else fraction(number)
+    if exact is None:
+        raise InputError(f"{place}: numbers are expected, not {number!r}")
+    try:
+        double = float(exact)
+    except OverflowError:
+        double = np.inf
+    if np.isinf(double) or exact != Fraction(double):
+        raise InputError(f"{place}: {number} is no double, and would be rounded; doubles are taken exactly")
+    return double
 
 
 def good_rows(axes: list[Doubles]) -> npt.NDArray[np.bool_]:
@@ -115,9 +173,12 @@ def csv_table(axes: Sequence[Doubles], names: Sequence[str]) -> bytes:
 def rows_of(text: str) -> list[dict[str, str]]:
     """The rows of a table that the program writes."""
     import csv
+    from io import StringIO
 
-    lines = (line for line in text.splitlines() if not line.startswith("#"))
-    return list(csv.DictReader(lines))
+    # The remarks are in the first lines; a name in a row may begin with their mark, and have line breaks in it.
+    while text.startswith("#"):
+        _, _, text = text.partition("\n")
+    return list(csv.DictReader(StringIO(text, newline="")))
 
 
 def any_column(texts: list[str]) -> npt.NDArray[Any]:
@@ -125,6 +186,6 @@ def any_column(texts: list[str]) -> npt.NDArray[Any]:
     for kind in (np.int64, np.float64):
         try:
             return np.array(texts, dtype=np.str_).astype(kind)
-        except ValueError:
+        except (ValueError, OverflowError):
             continue
     return np.array(texts, dtype=np.str_)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
+from ._native import InputError
+from ._numbers import value
 from ._points import Doubles, any_column
 
 if TYPE_CHECKING:
@@ -21,6 +23,24 @@ Codes = npt.NDArray[np.int8]
 VERDICTS = ("inside", "outside", "undecided", "uncertain")
 # What stands for an answer that there is not, in native columns of −1, 0 and 1.
 NONE = 2
+
+
+def answer_columns(dimension: int, feet: bool) -> dict[str, str]:
+    """The columns of an inspection's table, with the names of their types in Spark."""
+    found = {
+        "verdict": "string", "curve": "boolean", "distance_low": "double", "distance_high": "double", "sign": "byte",
+    }  # fmt: skip
+    if feet:
+        axes = [f"{name}_{axis}" for name in ("foot", "normal") for axis in "xyz"[:dimension]]
+        found.update(dict.fromkeys([*axes, "signed_low", "signed_high"], "double"))
+    return found
+
+
+def refuse_answers(names: Iterable[str], answers: Iterable[str]) -> None:
+    """Refuses the columns of a table that have the name of an answer."""
+    taken = sorted(set(names) & set(answers))
+    if taken:
+        raise InputError(f"the table has a column {taken[0]!r} already, which would be an answer's; give it another name")
 
 
 class Table:
@@ -67,6 +87,7 @@ class Inspection(Table):
         shape: tuple[int, ...],
         row: npt.NDArray[np.int64],
         kept: pa.Table | None,
+        dimension: int,
         feet: tuple[Doubles, Doubles, Doubles, Doubles] | None = None,
     ) -> None:
         codes, curve, low, high, sign = found
@@ -82,7 +103,7 @@ class Inspection(Table):
         self.signed_high: Doubles | None = None
         if feet is not None:
             foot, normal, signed_low, signed_high = feet
-            self.foot, self.normal = (v.reshape(*shape, v.size // max(codes.size, 1)) for v in (foot, normal))
+            self.foot, self.normal = (v.reshape(*shape, dimension) for v in (foot, normal))
             self.signed_low, self.signed_high = (v.reshape(shape) for v in (signed_low, signed_high))
 
     @property
@@ -169,7 +190,7 @@ class Samples(Table):
         first = text.split("\n", 1)[0]
         self.center: tuple[Fraction, ...] | None = None
         if first.startswith("# center"):
-            self.center = tuple(Fraction(c) for c in first.split()[2:])
+            self.center = tuple(Fraction(value(c)) for c in first.split()[2:])
         header = next(line for line in text.split("\n") if not line.startswith("#")).split(",")
         self._axes = [name for name in ("u", "v", "w") if name in header]
         self._exact = [[row[axis] for axis in self._axes] for row in rows]
@@ -185,7 +206,7 @@ class Samples(Table):
     @property
     def directions(self) -> list[tuple[Fraction, ...]]:
         """The exact unit vectors of the directions, one for each point."""
-        return [tuple(map(Fraction, row)) for row in self._exact]
+        return [tuple(Fraction(value(number)) for number in row) for row in self._exact]
 
     @property
     def branch(self) -> npt.NDArray[np.int64]:
@@ -274,6 +295,8 @@ class Check(Table, Mapping[str, Any]):
 
     def __repr__(self) -> str:
         worst = (self._document.get("worst") or {}).get("digits")
+        if "rungs" in self._document:
+            return f"<stellate check: doubles for {len(self['rungs'])} numbers of harmonics>"
         return f"<stellate check: {self['compared']} compared, worst digits {worst}, {len(self.mistakes)} mistakes>"
 
     def to_arrow(self) -> pa.Table:

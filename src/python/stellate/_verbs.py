@@ -13,10 +13,10 @@ import numpy.typing as npt
 from ._call import call, write
 from ._fit import Fit, FitTable
 from ._form import Form
-from ._given import FormLike, Path, extension, floats, form, from_points, sources_of
+from ._given import FormLike, Path, extension, floats, form, from_points, sources_of, vertices
 from ._native import InputError
 from ._options import CommonOptions, FitOptions, Prepared, SeriesOptions, prepared
-from ._points import Points, columns, csv_table
+from ._points import Points, csv_table, doubles
 from ._results import Mesh, Samples
 
 if TYPE_CHECKING:
@@ -204,7 +204,7 @@ def fit(
     2
     """
     weights = options.get("weights")
-    if weights is not None and not isinstance(weights, (str, int)):
+    if weights is not None and np.ndim(weights) > 0:
         given = _weighted(given, weights)
         options["weights"] = "weight"
     asked = prepared(dict(options), SeriesOptions)
@@ -230,10 +230,15 @@ def fit(
 
 def _weighted(points: Any, weights: npt.ArrayLike) -> Form:
     """The outline with these vertices, each with a weight in a column of that name."""
-    axes, _, _ = columns(points)
-    column = np.asarray(weights, dtype=np.float64)
-    if len(axes) != 2 or column.shape != axes[0].shape:
+    axes = vertices(points)
+    column = doubles(weights, "weights")
+    if column.shape != axes[0].shape:
         raise InputError(f"weights: one for each of {axes[0].size} points is expected, not an array of shape {column.shape}")
+    wrong = np.flatnonzero(~(np.isfinite(column) & (column >= 0)))
+    if wrong.size:
+        raise InputError(
+            f"weights: that of the point {wrong[0]} is {column[wrong[0]]}; a weight is a number that is at least 0"
+        )
     return Form(csv_table([*axes, column], ("x", "y", "weight")).decode(), "points.csv")
 
 

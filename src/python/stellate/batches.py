@@ -13,20 +13,16 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
 from ._given import FormLike, form
 from ._inspect import InspectOptions, Tolerance, exact_tolerance, inspect
+from ._options import READING, CommonOptions, WorkOptions
 from ._points import AXES
 from ._verbs import fit
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
-#: The columns that are appended, with the names of their types in Spark.
-ANSWERS = {
-    "verdict": "string",
-    "curve": "boolean",
-    "distance_low": "double",
-    "distance_high": "double",
-    "sign": "byte",
-}
+# The options of the fit of an outline, and those that bound any work.
+SIZE = InspectOptions.__annotations__.keys() - CommonOptions.__annotations__.keys()
+WORK = WorkOptions.__annotations__.keys()
 
 
 class Inspect:
@@ -46,7 +42,12 @@ class Inspect:
     threads : int
         In each process: 1, since such engines run a process on each core.
     **options
-        Those of `stellate.inspect`.
+        Those of `stellate.inspect`, with those of how the form is read. Where it is an outline, it is fitted here.
+
+    Raises
+    ------
+    InputError
+        When it is called: for a column with the name of an answer.
     """
 
     def __init__(
@@ -61,13 +62,14 @@ class Inspect:
         skip_bad: bool = False,
         **options: Any,
     ) -> None:
+        # How the form is read is over here, and so is the fit of an outline.
+        how: dict[str, Any] = {k: options.pop(k) for k in READING & options.keys()}
+        found = form(given, **how)
         self.options: dict[str, Any] = {"threads": 1, "reach": reach, "digits": digits, "budget": budget, **options}
-        found = form(given)
         if found.kind == "contour":
-            how: dict[str, Any] = {k: v for k, v in self.options.items() if k not in ("reach", "digits", "budget")}
-            found = fit(found, **how).form
-            self.options = {k: v for k, v in self.options.items() if k not in InspectOptions.__annotations__}
-            self.options["threads"] = how["threads"]
+            size: dict[str, Any] = {k: self.options.pop(k) for k in SIZE & self.options.keys()}
+            work: dict[str, Any] = {k: self.options[k] for k in WORK & self.options.keys()}
+            found = fit(found, **size, **work).form
         self.document = found.to_json()
         self.tolerance: Tolerance = exact_tolerance(tolerance)
         self.columns = tuple(columns)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, Sequence
 from ._given import FormLike
 from ._inspect import Tolerance
 from ._points import AXES
-from .batches import ANSWERS, Inspect
+from ._results import answer_columns, refuse_answers
+from .batches import Inspect
 
 if TYPE_CHECKING:
     from pyspark.sql import DataFrame
@@ -41,17 +42,17 @@ def inspect(
     -------
     pyspark.sql.DataFrame
         Lazily, as everything in Spark.
+
+    Raises
+    ------
+    InputError
+        For a column with the name of an answer.
     """
     from pyspark.sql.types import StructType
 
-    answers = dict(ANSWERS)
-    if options.get("feet"):
-        axes = [axis for axis, column in zip("xyz", columns) if column in df.columns]
-        feet = [f"{name}_{axis}" for name in ("foot", "normal") for axis in axes]
-        answers.update(dict.fromkeys([*feet, "signed_low", "signed_high"], "double"))
-    taken = [name for name in df.columns if name in answers]
-    if taken:
-        raise ValueError(f"the data frame has a column {taken[0]!r} already, which would be an answer's")
+    dimension = sum(column in df.columns for column in columns)
+    answers = answer_columns(dimension, bool(options.get("feet")))
+    refuse_answers(df.columns, answers)
     stage = Inspect(form, tolerance, columns, **options)
     schema = StructType(list(df.schema.fields))
     for name, kind in answers.items():
