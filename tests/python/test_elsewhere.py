@@ -113,6 +113,8 @@ def test_a_stage_takes_an_outline_with_all_options():
     found = Inspect(BUTTERFLY / "butterfly.csv", 1, **how)(table)
     direct = stellate.inspect(BUTTERFLY / "butterfly.csv", table, 1, keep=True, **how).to_arrow()
     assert found.equals(direct) and "foot_x" in found.column_names
+    coarse = Inspect(BUTTERFLY / "butterfly.csv", 1, harmonics=5, decimals=0, samples=64)
+    assert stellate.form(coarse.document) == stellate.fit(BUTTERFLY / "butterfly.csv", 5, decimals=0, samples=64).form
 
 
 def test_no_points_have_the_columns_of_points():

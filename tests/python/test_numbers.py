@@ -95,6 +95,8 @@ def test_coordinates_that_are_no_doubles_are_refused():
         [[Fraction(1, 3), 0]],
         [[Decimal("0.1"), 0]],
         [[10**400, 0]],
+        [[LONG, 0]],
+        [[Fraction(1, LONG), 0]],
     ]
     if long_double != np.float64(long_double):
         wrong.append(np.array([[long_double, 0]]))

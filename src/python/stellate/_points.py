@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import InputError
-from ._numbers import fraction
+from ._numbers import exact, fraction
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -93,14 +93,16 @@ def _doubles(table: pa.Table, name: str) -> Doubles:
     import pyarrow
 
     column = table.column(name)
-    kind = column.type
-    try:
-        if not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind)):
-            raise pyarrow.ArrowInvalid(f"{kind} is not converted")
-        chunks = column.cast(pyarrow.float64()).chunks
-    except pyarrow.ArrowInvalid:
-        # Integers that are no doubles, decimals, and what is no number.
-        return doubles(np.array(column.to_pylist(), dtype=object), f"points: the column {name!r}")
+    if pyarrow.types.is_floating(column.type) or pyarrow.types.is_integer(column.type):
+        try:
+            return _joined(column.cast(pyarrow.float64()).chunks)
+        except pyarrow.ArrowInvalid:
+            # Some integers are large.
+            pass
+    return doubles(np.array(column.to_pylist(), dtype=object), f"points: the column {name!r}")
+
+
+def _joined(chunks: Sequence[pa.Array]) -> Doubles:
     arrays = [chunk.to_numpy(zero_copy_only=False) for chunk in chunks]
     if len(arrays) == 1:
         one: Doubles = arrays[0]
@@ -143,16 +145,24 @@ def _double(number: object, place: str) -> float:
         return np.nan
     if isinstance(number, np.floating) and not np.isfinite(number):
         return float(number)
-    exact = None if isinstance(number, str) else fraction(number)
-    if exact is None:
+    ratio = None if isinstance(number, str) else fraction(number)
+    if ratio is None:
         raise InputError(f"{place}: numbers are expected, not {number!r}")
     try:
-        double = float(exact)
+        double = float(ratio)
     except OverflowError:
         double = np.inf
-    if np.isinf(double) or exact != Fraction(double):
-        raise InputError(f"{place}: {number} is no double, and would be rounded; doubles are taken exactly")
+    if np.isinf(double) or ratio != Fraction(double):
+        raise InputError(f"{place}: {_shown(number)} is no double, and would be rounded; doubles are taken exactly")
     return double
+
+
+def _shown(number: object) -> str:
+    try:
+        return str(number)
+    except ValueError:
+        # It has more digits than Python shows.
+        return exact(number)[:20] + "…"
 
 
 def good_rows(axes: list[Doubles]) -> npt.NDArray[np.bool_]:

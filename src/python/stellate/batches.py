@@ -12,17 +12,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
 from ._given import FormLike, form
-from ._inspect import InspectOptions, Tolerance, exact_tolerance, inspect
-from ._options import READING, CommonOptions, WorkOptions
+from ._inspect import Tolerance, exact_tolerance, inspect
+from ._options import READING, FitOptions, WorkOptions
 from ._points import AXES
 from ._verbs import fit
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
-# The options of the fit of an outline, and those that bound any work.
-SIZE = InspectOptions.__annotations__.keys() - CommonOptions.__annotations__.keys()
 WORK = WorkOptions.__annotations__.keys()
+# The options of the fit of an outline alone; the tolerance is that of the inspection.
+FITTING = FitOptions.__annotations__.keys() - READING - WORK - {"tolerance"}
 
 
 class Inspect:
@@ -42,7 +42,7 @@ class Inspect:
     threads : int
         In each process: 1, since such engines run a process on each core.
     **options
-        Those of `stellate.inspect`, with those of how the form is read. Where it is an outline, it is fitted here.
+        Those of `stellate.inspect`, and of how the form is read; for an outline, which is fitted here, those of `stellate.fit`.
 
     Raises
     ------
@@ -62,14 +62,14 @@ class Inspect:
         skip_bad: bool = False,
         **options: Any,
     ) -> None:
-        # How the form is read is over here, and so is the fit of an outline.
+        # The form is read here, and an outline is fitted; what is carried is the exact form.
         how: dict[str, Any] = {k: options.pop(k) for k in READING & options.keys()}
         found = form(given, **how)
         self.options: dict[str, Any] = {"threads": 1, "reach": reach, "digits": digits, "budget": budget, **options}
         if found.kind == "contour":
-            size: dict[str, Any] = {k: self.options.pop(k) for k in SIZE & self.options.keys()}
+            fitting: dict[str, Any] = {k: self.options.pop(k) for k in FITTING & self.options.keys()}
             work: dict[str, Any] = {k: self.options[k] for k in WORK & self.options.keys()}
-            found = fit(found, **size, **work).form
+            found = fit(found, **fitting, **work).form
         self.document = found.to_json()
         self.tolerance: Tolerance = exact_tolerance(tolerance)
         self.columns = tuple(columns)
