@@ -297,7 +297,9 @@ fn write_worst(found: &Comparison, out: &mut dyn Write) -> Result<()> {
         .map(|row| {
             let exact = match (&row.exact, &row.place) {
                 (Some(exact), _) => shown(exact),
-                (None, GivenNumber::Point { position, .. }) if *position == [0.0; 3] => {
+                (None, GivenNumber::Point { position, .. })
+                    if position.iter().all(|x| x.abs() == 0.0) =>
+                {
                     "not on the form; every ray begins here".into()
                 }
                 (None, _) => "no r > 0 on this ray".into(),
