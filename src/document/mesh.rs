@@ -210,7 +210,7 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
     if mesh.bent_edges > 0 {
         let edges = counted(mesh.bent_edges, "edge bends", "edges bend");
         lines.push(format!(
-            "{edges} by more than the wanted angle: there the cells are too large for the surface, and a larger --resolution is needed"
+            "{edges} by more than the wanted angle: there the surface is singular, or the cells are too large for it (a larger --resolution has smaller ones)"
         ));
     }
     if mesh.may_meet_origin {
