@@ -72,13 +72,7 @@ pub(super) fn split(
 }
 
 /// The number of edges at whose ends the normals differ by an angle with a cosine below `cosine`; singular points have no normals.
-pub(super) fn bent(
-    field: &Field,
-    vertices: &[Crossing],
-    triangles: &[[u32; 3]],
-    cosine: f64,
-) -> usize {
-    let normals = normals(field, vertices);
+pub(super) fn bent(normals: &[[f64; 3]], triangles: &[[u32; 3]], cosine: f64) -> usize {
     let is_bent = |&&(a, b): &&Edge| {
         let [m, n] = [a, b].map(|v| normals[v as usize]);
         dot(m, m) > 0.0 && dot(n, n) > 0.0 && dot(m, n) < cosine

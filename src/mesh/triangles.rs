@@ -241,7 +241,7 @@ fn add_factor(
         flip::flip(&surface, &mut triangles);
         progress(750 + 60 * (round + 1));
     }
-    mesh.bent_edges += refine::bent(field, &vertices, &triangles, cosine);
+    let refined = triangles.len();
     if !open.is_empty() {
         let fine = grid.divided(options.fine);
         let parts = fine.cells_within(field, &open, options.fine, limits)?;
@@ -259,7 +259,9 @@ fn add_factor(
         .filter(|_| is_countable)
         .ok_or_else(|| Error::limit("2^32 vertices"))?;
     mesh.factors.push(mesh.triangles.len());
-    mesh.normals.extend(refine::normals(field, &vertices));
+    let normals = refine::normals(field, &vertices);
+    mesh.bent_edges += refine::bent(&normals, &triangles[..refined], cosine);
+    mesh.normals.extend(normals);
     let bounds = vertices.iter().map(|v: &Crossing| v.radius);
     mesh.vertex_bound = bounds.fold(mesh.vertex_bound, f64::max);
     mesh.vertices.extend(vertices.iter().map(|v| v.point));
