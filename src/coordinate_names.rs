@@ -69,7 +69,7 @@ pub(crate) fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlace
         if let Some(axis) = axis {
             let missing = if axis == 0 { "y" } else { "x" };
             return Err(format!(
-                "the first row names {name}, but no column {missing}"
+                "the first row names {name}, but no column {missing} that belongs to it"
             ));
         }
     }
@@ -168,14 +168,15 @@ fn with_equal_ends(
     }
 }
 
-/// The number of the coordinate, from 0, of which this is the name, perhaps with a unit; none for heights.
+/// The number of the coordinate, from 0, of which this is the name; none for heights. The words for directions also name other
+/// things, so that only a unit may follow them.
 fn axis_of(name: &str) -> Option<usize> {
     (0..2).find(|&axis| {
-        let ends = FAMILIES
-            .iter()
-            .filter_map(|family| end_of(name, family[axis]));
-        ends.into_iter()
-            .any(|end| end.is_empty() || UNITS.contains(&end.as_str()))
+        FAMILIES.iter().any(|family| {
+            let is_letter = family[axis].iter().all(|known| known.len() <= 2);
+            end_of(name, family[axis])
+                .is_some_and(|end| is_letter || end.is_empty() || UNITS.contains(&end.as_str()))
+        })
     })
 }
 
@@ -224,6 +225,7 @@ mod tests {
             "x-ray,outline",
             "x,z",
             "height,weight",
+            "short,long name",
         ] {
             assert_eq!(found(names), Ok(None), "{names}");
         }
@@ -242,6 +244,8 @@ mod tests {
             ("y,height", "names y, but no column x"),
             ("lat,x", "names lat, but no column x"),
             ("id,x", "names x, but no column y"),
+            ("y_meas,x_nom", "names y_meas, but no column x"),
+            ("z_a,y_b,x_c", "names x_c, but no column y"),
         ] {
             let message = found(names).unwrap_err();
             assert!(message.contains(part), "{names}: {message}");

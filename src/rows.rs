@@ -286,26 +286,24 @@ pub(crate) fn words(row: &str) -> impl Iterator<Item = &str> {
         .filter(|part| !part.is_empty())
 }
 
-/// Whether none of the fields of the first row begins with a number, so that it has names, or a title such as `NACA 0012`.
+/// Whether the first row has names, or a title such as `NACA 0012`: none of its fields begins with a number, and one of them is a word.
 fn is_header(row: &str) -> bool {
     let fields = row
         .split([',', ';', '\t'])
         .filter_map(|field| words(field).next());
-    let mut fields = fields.peekable();
-    fields.peek().is_some() && fields.all(is_word)
+    let fields: Vec<&str> = fields.collect();
+    fields.iter().any(|field| is_word(field)) && !fields.into_iter().any(is_number)
 }
 
-/// Whether a field of the first row belongs to a header. Infinity, NaN, marks of missing numbers, numbers that are too large and those
-/// with something beside them, as in `9mm` and `$9`, are wrong numbers, not words.
+/// Whether a field is a word, and no number with something beside it, as in `9mm` and `$9`.
 fn is_word(field: &str) -> bool {
-    let begins_with_letter = field
-        .trim_start_matches(['_', '(', '['])
-        .starts_with(char::is_alphabetic);
-    let has_digit = field.contains(|c: char| c.is_ascii_digit());
-    (begins_with_letter || !has_digit)
-        && double(field).is_err()
-        && field.parse::<f64>().is_err()
-        && !is_missing(field)
+    let letters = field.trim_start_matches(['_', '(', '[']);
+    letters.starts_with(char::is_alphabetic) || !field.contains(|c: char| c.is_ascii_digit())
+}
+
+/// Whether a field is a number, if only a wrong one: infinity, NaN, a mark of a missing number, or a number that is too large.
+fn is_number(field: &str) -> bool {
+    double(field).is_ok() || field.parse::<f64>().is_ok() || is_missing(field)
 }
 
 /// Whether a field stands for a number that is missing.

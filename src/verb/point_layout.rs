@@ -51,10 +51,14 @@ impl PointLayout {
             .map(|h| separator.split(h).collect())
             .unwrap_or_default();
         let has_names = names.len() > 1 && [count, fields.len()].contains(&names.len());
-        let named = match has_names || names.len() > 2 {
+        let named = match has_names {
             true => coordinates_among(&names).map_err(|message| {
                 format!("{message}; one is to be named x, one y and, in space, one z")
             })?,
+            // The rows may have too few fields.
+            false if names.len() > 2 && separator != Separator::Blanks => {
+                coordinates_among(&names).unwrap_or_default()
+            }
             false => None,
         };
         if let Some(found) = named {

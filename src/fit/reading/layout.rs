@@ -56,12 +56,16 @@ impl Layout {
         let count = at_least_two(&fields);
         // A title is no row of names.
         let has_names = [count, fields.len()].contains(&names.len());
-        let named = || match has_names || names.len() > 2 {
+        let named = || match has_names {
             true => coordinates_among(&names).map_err(|message| {
                 format!(
                     "{message}; one is to be named x and one y, or --columns says which they are"
                 )
             }),
+            // The rows may have too few fields.
+            false if names.len() > 2 && separator != Separator::Blanks => {
+                Ok(coordinates_among(&names).unwrap_or_default())
+            }
             false => Ok(None),
         };
         if options.columns.is_some() || options.weights.is_some() {
@@ -115,9 +119,10 @@ impl Layout {
         }
     }
 
-    /// The field of the height of a point, if the columns are named as three coordinates.
-    pub(super) fn height<'a>(&self, row: &'a str) -> Option<&'a str> {
-        self.separator.split(row).nth(self.height?)
+    /// The height of a point, if the columns are named as three coordinates and this one has a number.
+    pub(super) fn height(&self, row: &str) -> Option<f64> {
+        let field = self.separator.split(row).nth(self.height?)?;
+        self.value(field).ok()
     }
 
     /// The point of a row, and its weight if there are weights.
@@ -226,6 +231,9 @@ mod tests {
             ("an outline of 3 points", "1,2"),
             ("NACA 0012", "1 2"),
             ("NACA 0012 AIRFOIL", "1 2"),
+            ("Map of north shore", "1 2"),
+            ("points at x of part y", "1 2"),
+            ("outline of wing, west, east", "1,2"),
         ] {
             assert_eq!(point(Some(title), row), Ok([1.0, 2.0]), "{title}");
         }

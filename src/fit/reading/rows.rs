@@ -27,8 +27,7 @@ pub(super) fn read_rows(
     let layout = Layout::of(rows.header(), &first, options)
         .map_err(|message| rows.error(number, message))?;
     let mut point = layout.point(&first);
-    let first_number = number;
-    let height = layout.height(&first).map(str::to_owned);
+    let mut height = layout.height(&first).map(|z| (z, number));
     let mut number = number;
     loop {
         let (xy, weight) = point.map_err(|message| rows.error(number, message))?;
@@ -43,15 +42,16 @@ pub(super) fn read_rows(
         match rows.next_row()? {
             None => return Ok(read),
             Some((next, row)) => {
-                let z = layout.height(row);
-                if let (Some(z), Some(height)) = (z, &height)
-                    && z != height
+                let here = layout.height(row);
+                if let (Some(z), Some((other, before))) = (here, height)
+                    && (z - other).abs() > 0.0
                 {
                     let message = format!(
-                        "z is {z} here and {height} in row {first_number}: these are points in space, and an outline is in the plane; --columns says which two coordinates are wanted"
+                        "z is {z} here and {other} in row {before}: these are points in space, and an outline is in the plane; --columns says which two coordinates are wanted"
                     );
                     return Err(rows.error(next, message));
                 }
+                height = height.or(here.map(|z| (z, next)));
                 (number, point) = (next, layout.point(row));
             }
         }
@@ -104,6 +104,7 @@ mod tests {
             read("9\u{a0}9\n5\u{a0}0\n").unwrap().0,
             [[9.0, 9.0], [5.0, 0.0]]
         );
+        assert_eq!(read("id,x,y,2nd_pass\n7,1,2,3\n").unwrap().0, [[1.0, 2.0]]);
         for text in ["9mm;9mm\n1;2\n", "$9;$9\n1;2\n", "-.5m,0.5m\n1,2\n"] {
             assert!(message(text).contains("row 1: "), "{text}");
         }
@@ -113,7 +114,8 @@ mod tests {
 
     #[test]
     fn points_in_space_are_no_outline() {
-        assert_eq!(read("x,y,z\n1,2,0\n3,4,0\n").unwrap().0.len(), 2);
+        let flat = "x,y,z\n1,2,\n1,3,0\n3,4,0.0\n5,6,-0\n7,8,NA\n";
+        assert_eq!(read(flat).unwrap().0.len(), 5);
         let text = "x,y,z\n1,2,0\n3,4,5\n";
         assert!(message(text).contains("row 3: z is 5 here and 0 in row 2"));
         let options = OutlineOptions::default().columns(Some("x,z".parse().unwrap()));
