@@ -467,7 +467,7 @@ pub(crate) struct Plot {
     #[arg(long, value_name = "UNITS")]
     pub(crate) width: Option<u32>,
     /// Cells along the larger side: for tracing implicit curves [default: 240], for surfaces [default: 36], along
-    /// each parameter of a patch [default: 54]
+    /// each parameter of a patch [default: 54, more for oscillations]
     #[arg(long, value_name = "N", value_parser = within(PICTURE_CELLS))]
     pub(crate) cells: Option<u32>,
     /// In space: a point to be marked; may be repeated

@@ -46,6 +46,9 @@ impl Parameter {
                 [sin, cos]
             }
             None => {
+                if value.is_infinite() {
+                    return [value.signum(), 0.0];
+                }
                 let mut ratio = [value, 1.0];
                 while ratio[0].abs() > 1.0 {
                     ratio = ratio.map(|v| v / 2.0);

@@ -15,11 +15,11 @@ use crate::poly::{IntegerPolynomial, SparsePolynomial};
 /// The least number of cells along each parameter of a picture.
 const CELLS: u32 = 54;
 
-/// For each degree of the coordinates in an angle so many cells are drawn: an oscillation has 16.
+/// For each degree of the coordinates in an angle so many cells are drawn, unless there are too many: an oscillation has 16.
 const CELLS_PER_DEGREE: u32 = 8;
 
 /// A picture has no more cells than this because of oscillations.
-const MOST_CELLS: f64 = 20_000.0;
+const MOST_CELLS: u32 = 20_000;
 
 /// A point of the grid: the coordinates, which are not finite at poles, and the signs of the denominators.
 struct Node {
@@ -56,8 +56,8 @@ impl Patch {
         nodes.iter().map(points).collect()
     }
 
-    /// The cells of a grid, `cells` of them along each parameter, or as many as its oscillations need. Cells with a corner at a pole,
-    /// or with one between their corners, are left out.
+    /// The cells of a grid, `cells` of them along each parameter, or as many as its oscillations need. Cells with a corner at a pole
+    /// are left out, and those in which a denominator changes its sign.
     pub(crate) fn facets(&self, ranges: [Option<[f64; 2]>; 2], cells: Option<u32>) -> PatchFacets {
         let counts = cells.map_or_else(|| self.cells_for_oscillations(), |count| [count; 2]);
         let nodes = self.nodes(ranges, counts);
@@ -93,14 +93,17 @@ impl Patch {
                 false => CELLS,
             }
         });
-        let all: f64 = wanted.into_iter().map(f64::from).product();
-        let share = (MOST_CELLS / all).min(1.0).sqrt();
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a number of cells"
-        )]
-        wanted.map(|count| (f64::from(count) * share) as u32)
+        let all = u64::from(wanted[0]) * u64::from(wanted[1]);
+        if all <= u64::from(MOST_CELLS) {
+            return wanted;
+        }
+        // The parameter with fewer oscillations keeps its cells, or as many as a square grid has.
+        let few = wanted[0].min(wanted[1]).min(MOST_CELLS.isqrt());
+        let many = MOST_CELLS / few;
+        match wanted[0] <= wanted[1] {
+            true => [few, many],
+            false => [many, few],
+        }
     }
 
     fn nodes(&self, ranges: [Option<[f64; 2]>; 2], counts: [u32; 2]) -> Vec<Vec<Node>> {
@@ -198,7 +201,6 @@ mod tests {
             for (i, row) in grid.iter().enumerate() {
                 for (j, point) in row.iter().enumerate() {
                     let s = [between(99.0, 101.0, i, 7), between(99.5, 101.0, j, 9)];
-                    // s is rounded as a ratio of doubles, which moves it by some 10⁻¹⁴.
                     let exact = patch.point(&s.map(|v| Dyadic::from_f64(v).unwrap().to_rational()));
                     let exact = exact.unwrap().map(|v| v.to_f64());
                     for (near, exact) in point.unwrap().into_iter().zip(exact) {
@@ -229,7 +231,15 @@ mod tests {
         }
         // All of them are drawn.
         let [along_u, along_v] = patch.cells_for_oscillations();
-        assert!(along_u > 140 && along_v > 120 && along_u * along_v <= 20_000);
+        assert_eq!([along_u, along_v], [141, 141]);
+        let one = self::patch("x = cos(500*u); y = v; z = sin(u)");
+        assert_eq!(one.cells_for_oscillations(), [370, 54]);
+    }
+
+    #[test]
+    fn an_infinite_range_ends() {
+        let grid = patch("x = 1/u; y = v; z = 1").grid([Some([1.0, f64::INFINITY]), None], [2, 2]);
+        assert!(grid.iter().all(|row| row.len() == 3));
     }
 
     #[test]
