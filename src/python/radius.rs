@@ -75,8 +75,10 @@ impl Radius {
             }));
         }
         let mut angles = theta.iter().chain(phi.iter().flatten());
-        if !angles.all(|angle| angle.is_finite()) {
-            return Err(InputError::new_err("angles are finite numbers"));
+        if !angles.all(|angle| angle.abs() <= Direction::LARGEST_RADIANS) {
+            return Err(InputError::new_err(
+                "angles are numbers of radians up to 1e9",
+            ));
         }
         let (limits, watch) = (Limits::none(), Watch::default());
         let pool = pool(None).map_err(|error| exception(&error))?;

@@ -17,9 +17,6 @@ use crate::exact::{Rational, WrittenAngle};
 /// nominal angle.
 const TANGENT_BITS: u32 = 53;
 
-/// Beyond this many radians a double determines its angle modulo 2π too poorly.
-const LARGEST_RADIANS: f64 = 1e9;
-
 impl IntegerVector<2> for Direction {
     fn over_common_denominator(&self) -> ([Integer; 2], Integer) {
         ([self.u.clone(), self.v.clone()], self.w.clone())
@@ -49,14 +46,20 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// The direction nearest to the angle `theta`, in radians from +x towards +y.
+    /// Beyond this many radians a double determines its angle modulo 2π too poorly.
+    pub const LARGEST_RADIANS: f64 = 1e9;
+
+    /// The direction nearest to the angle `theta`, in radians from +x towards +y, of at most
+    /// [`Direction::LARGEST_RADIANS`].
     #[must_use]
     pub fn from_radians(theta: f64) -> Self {
+        /// Of larger multiples the rounding may be seen.
+        const MOST_AXES: f64 = 1000.0;
         /// π/2 without [`FRAC_PI_2`].
         const REST: f64 = 6.123_233_995_736_766e-17;
         let quarters = (theta / FRAC_PI_2).round();
-        // The double nearest to a multiple of a right angle stands for it. Else no product is rounded.
-        let is_axis = (theta - quarters * FRAC_PI_2).abs() == 0.0;
+        // A multiple of a right angle, as programs compute it in doubles, stands for the axis. Else no product is rounded.
+        let is_axis = quarters.abs() <= MOST_AXES && (theta - quarters * FRAC_PI_2).abs() == 0.0;
         let delta = match is_axis {
             true => 0.0,
             false => f64::mul_add(-quarters, REST, f64::mul_add(-quarters, FRAC_PI_2, theta)),
@@ -171,7 +174,7 @@ impl FromStr for Direction {
             Ok(WrittenAngle::Plain(radians) | WrittenAngle::Radians(radians)) => radians.to_f64(),
             Err(_) => f64::NAN,
         };
-        if radians.abs() <= LARGEST_RADIANS {
+        if radians.abs() <= Self::LARGEST_RADIANS {
             Ok(Self::from_radians(radians))
         } else {
             let message =
