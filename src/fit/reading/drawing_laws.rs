@@ -205,6 +205,10 @@ fn styles_say_what_is_drawn_and_where() {
             [78.0, 82.0, 38.0, 42.0],
         ),
         (
+            format!(r#"{rect} opacity=" 0 "/>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
             format!(r#"{rect} opacity="0.5"/>{small}"#),
             [10.0, 20.0, 30.0, 40.0],
         ),

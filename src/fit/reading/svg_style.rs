@@ -41,7 +41,12 @@ impl<'input> Styles<'input> {
                 sheet.parse_more(text);
             }
         }
-        let is_relevant = |name: &str| READ.contains(&name) || NOT_READ.contains(&name);
+        let declarations = || sheet.rules.iter().flat_map(|rule| &rule.declarations);
+        let hides_by_opacity = declarations().any(|d| d.name == "opacity" && is_zero(d.value));
+        let is_relevant = |name: &str| match name {
+            "opacity" => hides_by_opacity,
+            _ => READ.contains(&name) || NOT_READ.contains(&name),
+        };
         sheet
             .rules
             .retain(|rule| rule.declarations.iter().any(|d| is_relevant(d.name)));
@@ -88,9 +93,7 @@ impl<'a> ElementStyle<'a, '_> {
 
     /// Whether an element and what is in it are drawn, and not wholly transparent.
     pub(super) fn is_displayed(&self) -> bool {
-        let opacity = self.property("opacity");
-        let opacity = opacity.and_then(|text| text.trim_end_matches('%').parse::<f64>().ok());
-        self.property("display") != Some("none") && opacity.is_none_or(|value| value > 0.0)
+        self.property("display") != Some("none") && !self.property("opacity").is_some_and(is_zero)
     }
 
     /// Whether an element says that it can be seen, or that it cannot; `None` if it is as what is around it.
@@ -123,6 +126,12 @@ impl<'a> ElementStyle<'a, '_> {
         };
         Ok(Placement { transform, origin })
     }
+}
+
+/// Whether an opacity is 0, or less, which is the same.
+fn is_zero(opacity: &str) -> bool {
+    let number = opacity.trim().trim_end_matches('%').parse::<f64>();
+    number.is_ok_and(|number| number <= 0.0)
 }
 
 /// Two lengths in units of the drawing.
