@@ -73,7 +73,23 @@ pub(super) fn read(text: &str, place: &str, options: &ReadOptions) -> Result<Opt
     options.outline.clone().repair(false).check(None)?;
     let document: Document =
         serde_json::from_str(text).map_err(|error| Error::decoding(place, "contour", &error))?;
-    let double = |text: &String| Ok(number_at(place, text, Numbers::Exact)?.to_f64());
+    if document.schema != SCHEMA {
+        return Err(Error::data(
+            place,
+            format!("schema: expected \"{SCHEMA}\", found {:?}", document.schema),
+        ));
+    }
+    let double = |text: &String| {
+        let exact = number_at(place, text, Numbers::Exact)?;
+        let double = exact.to_f64();
+        match Rational::try_from(double) {
+            Ok(same) if same == exact => Ok(double),
+            _ => Err(Error::data(
+                place,
+                format!("{text} is no double, as the numbers of an outline are"),
+            )),
+        }
+    };
     let points = document
         .points
         .iter()

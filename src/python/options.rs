@@ -152,7 +152,7 @@ fn wrong_option<T: DeserializeOwned>(text: &str, error: &serde_json::Error) -> E
             .split_once("expected ")
             .map_or(fault, |(_, kind)| kind)
         {
-            "u8" => "a whole number from 0 to 255",
+            "u8" => "a whole number from 0 to 254",
             "u32" | "usize" => "a whole number that is not negative, and not too large",
             "f64" => "a number",
             "fewer elements in array" | "trailing characters" => "fewer numbers",

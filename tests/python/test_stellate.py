@@ -190,7 +190,7 @@ def test_a_table_of_fits_has_columns_of_one_type(tmp_path, monkeypatch):
         (lambda: stellate.plot("x = t; y = t^2", range={"t": (0, np.inf)}), "range: inf"),
         (lambda: stellate.mesh("R = 1", resolution=1), "--resolution 1: .*2 to 1024"),
         (lambda: stellate.sample("x^2 + y^2 = 1; z = y^5", resolution=1), "--resolution 1: .*2 to 4096"),
-        (lambda: stellate.form("r = 1", threshold=300).kind, "threshold: expected .*0 to 255"),
+        (lambda: stellate.form("r = 1", threshold=300).kind, "threshold: expected .*0 to 254"),
         (lambda: stellate.fit(np.empty((0, 2)), 2), "at least three points"),
         (lambda: stellate.fit([[0, 0], [1, 0], [0, 1]], 2, weights=[1, np.nan, 1]), "weights: that of the point 1 is nan"),
         (lambda: stellate.fit([[0, 0], [1, 0], [0, 1]], 2, weights=[1, 1, -1]), "weights: that of the point 2 is -1"),

@@ -50,7 +50,7 @@ def _plain(name: str, value: Any) -> Any:
         pass
     try:
         number = float(value)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise _native.InputError(f"{name}: {value!r} is neither a number nor a text") from error
     if not isfinite(number):
         raise _native.InputError(f"{name}: {number} is not a finite number")

@@ -96,8 +96,8 @@ def _doubles(table: pa.Table, name: str) -> Doubles:
     if pyarrow.types.is_floating(column.type) or pyarrow.types.is_integer(column.type):
         try:
             return _joined(column.cast(pyarrow.float64()).chunks)
-        except pyarrow.ArrowInvalid:
-            # Some integers are large.
+        except (pyarrow.ArrowInvalid, pyarrow.ArrowNotImplementedError):
+            # Some integers are large, or this version cannot convert the type.
             pass
     return doubles(np.array(column.to_pylist(), dtype=object), f"points: the column {name!r}")
 
