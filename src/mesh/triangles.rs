@@ -134,9 +134,7 @@ pub fn mesh_surface(
         return Err(Error::Usage("a constant has no surface".into()));
     }
     if options.bounds.iter().flatten().any(|x| !x.is_finite()) {
-        return Err(Error::Usage(
-            "the surface reaches beyond the range of doubles, in which the vertices of a mesh are; in a larger unit of length it does not".into(),
-        ));
+        return Err(Error::Usage("the box of a mesh has finite sides".into()));
     }
     let is_box = |[a, b]: &[f64; 2]| a < b;
     if !options.bounds.iter().all(is_box) || options.resolution == 0 {

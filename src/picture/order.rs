@@ -69,7 +69,7 @@ impl Order {
         }
         let facets = pieces.iter().filter(|p| p.corners.len() > 2);
         let count = facets.clone().count();
-        // A facet from the middle of the list is the first candidate, because neighbours in the list are neighbours on a surface.
+        // A facet from the middle of the list is the first candidate, because neighbors in the list are neighbors on a surface.
         let planes = facets.skip(count / 2).chain(pieces.iter());
         let plane = planes
             .filter(|p| p.corners.len() > 2)

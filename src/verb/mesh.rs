@@ -158,6 +158,11 @@ pub(super) fn of_surface(
             None => ([[-1.5, 1.5]; 3], false, Held::Whole),
         },
     };
+    if bounds.iter().flatten().any(|x| !x.is_finite()) {
+        return Err(Error::Usage(
+            "the surface reaches beyond the range of doubles, in which the vertices of a mesh are; in a larger unit of length it does not".into(),
+        ));
+    }
     work.stage("mesh", || {
         let progress = work.progress("mesh", 1000);
         let with = |bounds, near| -> Result<Mesh> {
