@@ -16,6 +16,8 @@ mod normalized;
 mod orientation;
 mod parameter;
 mod patch;
+#[cfg(feature = "pictures")]
+mod patch_facets;
 mod patch_grid;
 mod points;
 mod polyline;

@@ -1,43 +1,22 @@
-//! Points on a patch over a grid of parameters, and the cells between them.
+//! Points on a patch over a grid of parameters.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
-use super::curve_values::CurveValues;
+use super::curve_values::{CurveValues, Value};
 use super::drawn::{DRAWN_NUMBERS, Ratio};
-use super::polyline::box_around;
 use super::{Patch, PatchFunction};
-use crate::error::Invariant;
 use crate::exact::Dyadic;
 use crate::poly::{IntegerPolynomial, SparsePolynomial};
 
-/// The least number of cells along each parameter of a picture.
-const CELLS: u32 = 54;
-
-/// For each degree of the coordinates in an angle so many cells are drawn, unless there are too many: an oscillation has 16.
-const CELLS_PER_DEGREE: u32 = 8;
-
-/// A picture has no more cells than this because of oscillations.
-const MOST_CELLS: u32 = 20_000;
-
 /// A point of the grid: the coordinates, which are not finite at poles, and the signs of the denominators.
-struct Node {
-    values: [f64; 3],
-    signs: [bool; 3],
-}
+pub(super) type Node = [Value; 3];
 
-/// The cells of a grid as quadrilaterals, and a box that shows them: all of them, or most of them where coordinates have poles.
-pub(crate) struct PatchFacets {
-    pub facets: Vec<Vec<[f64; 3]>>,
-    pub extent: Option<[[f64; 2]; 3]>,
-}
-
-impl Node {
-    fn point(&self) -> Option<[f64; 3]> {
-        let is_finite = self.values.iter().all(|v| v.is_finite());
-        is_finite.then_some(self.values)
-    }
+/// The point of a node; `None` at a pole.
+pub(super) fn point(node: &Node) -> Option<[f64; 3]> {
+    let point = node.map(|v| v.value);
+    point.iter().all(|v| v.is_finite()).then_some(point)
 }
 
 impl Patch {
@@ -52,61 +31,12 @@ impl Patch {
         counts: [u32; 2],
     ) -> Vec<Vec<Option<[f64; 3]>>> {
         let nodes = self.nodes(ranges, counts);
-        let points = |row: &Vec<Node>| row.iter().map(Node::point).collect();
+        let points = |row: &Vec<Node>| row.iter().map(point).collect();
         nodes.iter().map(points).collect()
     }
 
-    /// The cells of a grid, `cells` of them along each parameter, or as many as its oscillations need. Cells with a corner at a pole
-    /// are left out, and those in which a denominator changes its sign.
-    pub(crate) fn facets(&self, ranges: [Option<[f64; 2]>; 2], cells: Option<u32>) -> PatchFacets {
-        let counts = cells.map_or_else(|| self.cells_for_oscillations(), |count| [count; 2]);
-        let nodes = self.nodes(ranges, counts);
-        let mut facets = Vec::new();
-        let mut has_poles = [false; 3];
-        for pair in nodes.windows(2) {
-            for (left, right) in pair[0].windows(2).zip(pair[1].windows(2)) {
-                let corners = [&left[0], &right[0], &right[1], &left[1]];
-                for (k, has_pole) in has_poles.iter_mut().enumerate() {
-                    let is_cut = |node: &Node| !node.values[k].is_finite();
-                    let sign = left[0].signs[k];
-                    *has_pole |= corners.iter().any(|n| is_cut(n) || n.signs[k] != sign);
-                }
-                if corners.iter().all(|node| node.signs == left[0].signs) {
-                    let points = corners.into_iter().map(Node::point);
-                    facets.extend(points.collect::<Option<Vec<_>>>());
-                }
-            }
-        }
-        let points: Vec<_> = nodes.iter().flatten().filter_map(Node::point).collect();
-        PatchFacets {
-            facets,
-            extent: box_around(&points, has_poles),
-        }
-    }
-
-    fn cells_for_oscillations(&self) -> [u32; 2] {
-        let wanted = [0, 1].map(|v| {
-            let degrees = self.coordinates().iter().map(|f| f.degree_in(v));
-            let degree = degrees.max().invariant("a patch has coordinates");
-            match self.parameters()[v].is_angle() {
-                true => CELLS.max(degree.saturating_mul(CELLS_PER_DEGREE)),
-                false => CELLS,
-            }
-        });
-        let all = u64::from(wanted[0]) * u64::from(wanted[1]);
-        if all <= u64::from(MOST_CELLS) {
-            return wanted;
-        }
-        // The parameter with fewer oscillations keeps its cells, or as many as a square grid has.
-        let few = wanted[0].min(wanted[1]).min(MOST_CELLS.isqrt());
-        let many = MOST_CELLS / few;
-        match wanted[0] <= wanted[1] {
-            true => [few, many],
-            false => [many, few],
-        }
-    }
-
-    fn nodes(&self, ranges: [Option<[f64; 2]>; 2], counts: [u32; 2]) -> Vec<Vec<Node>> {
+    /// The grid with the signs of the denominators.
+    pub(super) fn nodes(&self, ranges: [Option<[f64; 2]>; 2], counts: [u32; 2]) -> Vec<Vec<Node>> {
         let [first, second] = [0, 1].map(|k| {
             let parameter = &self.parameters()[k];
             let range = if parameter.is_angle() {
@@ -117,15 +47,8 @@ impl Patch {
             let values = parameter.values(range, counts[k].max(1)).into_iter();
             values.map(|v| parameter.ratio(v)).collect::<Vec<_>>()
         });
-        let node = |row: &CurveValues<3>, t: &Ratio| {
-            let found = row.at(*t);
-            Node {
-                values: found.map(|v| v.value),
-                signs: found.map(|v| v.is_above),
-            }
-        };
         let rows = first.iter().map(|s| self.row(*s));
-        rows.map(|row| second.iter().map(|t| node(&row, t)).collect())
+        rows.map(|row| second.iter().map(|t| row.at(*t)).collect())
             .collect()
     }
 
@@ -229,40 +152,12 @@ mod tests {
                 }
             }
         }
-        // All of them are drawn.
-        let [along_u, along_v] = patch.cells_for_oscillations();
-        assert_eq!([along_u, along_v], [141, 141]);
-        let one = self::patch("x = cos(500*u); y = v; z = sin(u)");
-        assert_eq!(one.cells_for_oscillations(), [370, 54]);
     }
 
     #[test]
     fn an_infinite_range_ends() {
         let grid = patch("x = 1/u; y = v; z = 1").grid([Some([1.0, f64::INFINITY]), None], [2, 2]);
         assert!(grid.iter().all(|row| row.len() == 3));
-    }
-
-    #[test]
-    fn cells_with_a_pole_are_left_out() {
-        let ranges = [Some([-1.0, 1.0]), Some([0.0, 1.0])];
-        let facets = |text: &str| patch(text).facets(ranges, Some(5)).facets.len();
-        assert_eq!(facets("x = u; y = v; z = u*v"), 25);
-        // A pole between the lines of the grid, at u = 0, and one at corners, at v = 0.
-        assert_eq!(facets("x = u; y = v; z = 1/u"), 20);
-        assert_eq!(facets("x = u; y = v; z = 1/v"), 20);
-        assert_eq!(facets("x = u; y = v; z = 1/(u*v)"), 16);
-        // At the double pole the value is large on both sides.
-        assert_eq!(facets("x = u; y = v; z = 1/u^2"), 25);
-        // One corner, at which the function has no value.
-        assert_eq!(facets("x = u; y = v; z = v/(v^2+(u+1)^2)"), 24);
-    }
-
-    #[test]
-    fn near_poles_the_box_shows_most_points() {
-        let near = patch("x = u; y = v; z = 1/(5*u-1)");
-        let [x, y, z] = near.facets([Some([-1.0, 1.0]); 2], None).extent.unwrap();
-        assert_eq!([x, y], [[-1.0, 1.0]; 2]);
-        assert!(z[0] > -10.0 && z[1] < 10.0, "{z:?}");
     }
 
     #[test]
