@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::rows::Separator;
+
 /// The names of the coordinates of points: those of x, of y and of z. Names of different rows do not belong together.
 const FAMILIES: [[&[&str]; 3]; 4] = [
     [&["x"], &["y"], &["z"]],
@@ -41,7 +43,7 @@ pub(crate) struct CoordinatePlaces {
 ///
 /// # Errors
 /// The message if several columns may be one of the coordinates, if only one of them is named, or if the columns are angles and radii.
-pub(crate) fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlaces>, String> {
+fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlaces>, String> {
     for [x, y, z] in FAMILIES {
         if let (Some(x), Some(y)) = (any_place_of(names, x), any_place_of(names, y)) {
             let z = any_place_of(names, z).map(Candidates::one).transpose()?;
@@ -74,6 +76,25 @@ pub(crate) fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlace
         }
     }
     Ok(None)
+}
+
+/// The columns that the first row of a table names as coordinates, where `fits` says whether it has as many fields as the other rows.
+///
+/// A row that does not fit is a title, in which words that look like names mean nothing, unless it names coordinates between
+/// separators other than blanks: then the other rows have too few fields.
+///
+/// # Errors
+/// Those of [`coordinates_among`] for a row that fits.
+pub(crate) fn coordinates_in_first_row(
+    names: &[&str],
+    separator: Separator,
+    fits: bool,
+) -> Result<Option<CoordinatePlaces>, String> {
+    match coordinates_among(names) {
+        found if fits => found,
+        Ok(found) if names.len() > 2 && separator != Separator::Blanks => Ok(found),
+        Ok(_) | Err(_) => Ok(None),
+    }
 }
 
 /// The place of the column with this name, or with this name and a unit; the only unit of an angle is the radian.

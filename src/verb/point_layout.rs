@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use smallvec::SmallVec;
 
-use crate::coordinate_names::coordinates_among;
+use crate::coordinate_names::coordinates_in_first_row;
 use crate::error::Invariant;
 use crate::exact::{Rational, double_literal, exact_literal};
 use crate::language::Numbers;
@@ -51,16 +51,9 @@ impl PointLayout {
             .map(|h| separator.split(h).collect())
             .unwrap_or_default();
         let has_names = names.len() > 1 && [count, fields.len()].contains(&names.len());
-        let named = match has_names {
-            true => coordinates_among(&names).map_err(|message| {
-                format!("{message}; one is to be named x, one y and, in space, one z")
-            })?,
-            // The rows may have too few fields.
-            false if names.len() > 2 && separator != Separator::Blanks => {
-                coordinates_among(&names).unwrap_or_default()
-            }
-            false => None,
-        };
+        let named = coordinates_in_first_row(&names, separator, has_names).map_err(|message| {
+            format!("{message}; one is to be named x, one y and, in space, one z")
+        })?;
         if let Some(found) = named {
             let places = [found.x, found.y, found.z.unwrap_or(0)];
             let used = if found.z.is_some() { 3 } else { 2 };

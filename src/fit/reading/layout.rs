@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::OutlineOptions;
 use super::columns::places_beside;
-use crate::coordinate_names::coordinates_among;
+use crate::coordinate_names::coordinates_in_first_row;
 use crate::exact::exact_literal;
 use crate::rows::{Separator, columns_text, double, filled, is_missing};
 
@@ -56,17 +56,12 @@ impl Layout {
         let count = at_least_two(&fields);
         // A title is no row of names.
         let has_names = [count, fields.len()].contains(&names.len());
-        let named = || match has_names {
-            true => coordinates_among(&names).map_err(|message| {
+        let named = || {
+            coordinates_in_first_row(&names, separator, has_names).map_err(|message| {
                 format!(
                     "{message}; one is to be named x and one y, or --columns says which they are"
                 )
-            }),
-            // The rows may have too few fields.
-            false if names.len() > 2 && separator != Separator::Blanks => {
-                Ok(coordinates_among(&names).unwrap_or_default())
-            }
-            false => Ok(None),
+            })
         };
         if options.columns.is_some() || options.weights.is_some() {
             let (width, given_by) = match has_names {
