@@ -100,7 +100,7 @@ def test_radii_of_every_kind():
         ball.radius(0.0)
     with pytest.raises(stellate.InputError, match="implicitize"):
         stellate.form("x = t; y = t^2").radius(0.0)
-    with pytest.raises(stellate.InputError, match="finite"):
+    with pytest.raises(stellate.InputError, match="numbers of radians"):
         two.radius([np.nan])
 
 
