@@ -8,7 +8,7 @@ use malachite::base::polynomial::{Derivative, Polynomial};
 use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational};
 use crate::intervals::Interval;
-use crate::poly::{IntegerPolynomial, divide_exactly, numerator_at, polynomial_gcd};
+use crate::poly::{IntegerPolynomial, divide_exactly, numerator_at, polynomial_gcd, scaled};
 use crate::roots::real_roots;
 use crate::shape::ParametricCurve;
 
@@ -161,11 +161,6 @@ pub(super) enum Against {
     Inside,
     /// All of the curve is outside.
     Outside,
-}
-
-fn scaled(f: &IntegerPolynomial, by: &Integer) -> IntegerPolynomial {
-    let coefficients = f.coefficients_asc().iter().map(|c| c * by);
-    IntegerPolynomial::from_coefficients_asc(coefficients.collect())
 }
 
 /// The exact value f(s).

@@ -1,7 +1,7 @@
 //! Whether a closed plane curve, traced once, winds an odd number of times around a point.
 
 use malachite::Integer;
-use malachite::base::polynomial::{Derivative, Polynomial};
+use malachite::base::polynomial::Derivative;
 
 use super::DistanceBounds;
 use super::known::PlanePoint;
@@ -10,7 +10,7 @@ use crate::exact::Rational;
 use crate::fit::NearPolygon;
 use crate::implicitize::traced_once;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
+use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd, scaled};
 use crate::roots::real_roots;
 use crate::shape::{EllipticSeries, PlaneCurve};
 
@@ -90,13 +90,13 @@ impl Winding {
             return 0;
         }
         let count = (0i64..).find_map(|k| {
-            let (a, b) = (1 + k * k, 3 * k);
-            let across = times(&y, a) - times(&x, b);
+            let [a, b] = [1 + k * k, 3 * k].map(Integer::from);
+            let across = scaled(&y, &a) - scaled(&x, &b);
             let shared = polynomial_gcd(&across, &(&across).derivative());
             if length(&across) < longest || !real_roots(&shared).is_empty() {
                 return None;
             }
-            let along = times(&x, a) + times(&y, b);
+            let along = scaled(&x, &a) + scaled(&y, &b);
             let ahead = if is_positive { 1 } else { -1 };
             let roots = real_roots(&across);
             Some(
@@ -122,18 +122,8 @@ fn is_zero_at_once(x: &IntegerPolynomial, y: &IntegerPolynomial, longest: usize)
 /// The numerator and the denominator of f − c.
 fn relative_to(f: &RationalFunction, c: &Rational) -> (IntegerPolynomial, IntegerPolynomial) {
     let (p, q) = (c.numerator(), c.denominator());
-    let scaled = |f: &IntegerPolynomial, by: &Integer| {
-        let coefficients = f.coefficients_asc().iter().map(|c| c * by);
-        IntegerPolynomial::from_coefficients_asc(coefficients.collect())
-    };
     (
         scaled(f.numerator(), &q) - scaled(f.denominator(), &p),
         scaled(f.denominator(), &q),
     )
-}
-
-fn times(f: &IntegerPolynomial, by: i64) -> IntegerPolynomial {
-    let by = Integer::from(by);
-    let coefficients = f.coefficients_asc().iter().map(|c| c * &by);
-    IntegerPolynomial::from_coefficients_asc(coefficients.collect())
 }

@@ -1,4 +1,4 @@
-//! Univariate polynomials of the public interface: lists of coefficients, ascending.
+//! Coefficients of univariate polynomials, ascending.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
@@ -21,4 +21,10 @@ pub(crate) fn with_integers(f: &[Rational]) -> (IntegerPolynomial, Integer) {
 /// The coefficients, ascending.
 pub(crate) fn coefficients(f: &IntegerPolynomial) -> Vec<Rational> {
     f.coefficients_asc().iter().map(Rational::whole).collect()
+}
+
+/// f times a number.
+pub(crate) fn scaled(f: &IntegerPolynomial, by: &Integer) -> IntegerPolynomial {
+    let coefficients = f.coefficients_asc().iter().map(|c| c * by);
+    IntegerPolynomial::from_coefficients_asc(coefficients.collect())
 }

@@ -7,7 +7,7 @@ use malachite::base::num::arithmetic::traits::{Content, DivExact, Gcd};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
-use super::dense::{coefficients, with_integers};
+use super::dense::{coefficients, scaled, with_integers};
 use super::{IntegerPolynomial, Ring, divide_exactly, polynomial_gcd};
 use crate::error::Invariant;
 use crate::exact::Rational;
@@ -56,7 +56,7 @@ impl RationalFunction {
     pub fn new(numerator: &[Rational], denominator: &[Rational]) -> Option<Self> {
         let (above, above_scale) = with_integers(numerator);
         let (below, below_scale) = with_integers(denominator);
-        Self::from_integers(times(&above, below_scale), times(&below, above_scale))
+        Self::from_integers(scaled(&above, &below_scale), scaled(&below, &above_scale))
     }
 
     /// The coefficients of the numerator and of the denominator, ascending. They are integers without a common factor.
@@ -135,9 +135,9 @@ impl RationalFunction {
     /// The sum of this function and a constant.
     #[must_use]
     pub fn plus_constant(&self, constant: &Rational) -> Self {
-        let numerator = times(&self.numerator, constant.denominator())
-            + times(&self.denominator, constant.numerator());
-        let denominator = times(&self.denominator, constant.denominator());
+        let (above, below) = (constant.numerator(), constant.denominator());
+        let numerator = scaled(&self.numerator, &below) + scaled(&self.denominator, &above);
+        let denominator = scaled(&self.denominator, &below);
         Self::from_integers(numerator, denominator).invariant("a denominator is not 0")
     }
 
@@ -159,10 +159,6 @@ impl RationalFunction {
     pub fn is_constant(&self) -> bool {
         self.degree() == 0
     }
-}
-
-fn times(f: &IntegerPolynomial, factor: Integer) -> IntegerPolynomial {
-    f * IntegerPolynomial::from_coefficients_asc(vec![factor])
 }
 
 /// The results are in lowest terms; each operation costs a gcd.

@@ -27,7 +27,7 @@ mod ternary;
 mod ternary_terms;
 mod trig;
 
-pub(crate) use dense::{coefficients, with_integers};
+pub(crate) use dense::{coefficients, scaled, with_integers};
 pub(crate) use eliminate::eliminate;
 pub(crate) use evaluate::{integer_sign, leading_value, numerator_at, sign_at_rational};
 pub use form::BinaryForm;
