@@ -432,7 +432,7 @@ pub(crate) struct Mesh {
     /// The box that is covered [default: around the surface]
     #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
     pub(crate) window: Option<BoxSides>,
-    /// Cells along the longest side of the box
+    /// Cells along the longest side of the box, or of each box if factors have disjoint ones
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = within(MESH_RESOLUTION))]
     pub(crate) resolution: u32,
     /// Edges are split where the surface bends by more than this: degrees, or with a unit as pi/9

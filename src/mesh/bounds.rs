@@ -40,7 +40,7 @@ pub enum Held {
 
 impl Held {
     /// What is known of two surfaces together.
-    fn and(self, other: Self) -> Self {
+    pub(super) fn and(self, other: Self) -> Self {
         match (self, other) {
             (Self::Whole, Self::Whole) => Self::Whole,
             (Self::Whole | Self::BoundedPieces, Self::Whole | Self::BoundedPieces) => {

@@ -1,5 +1,6 @@
 //! Triangle meshes of surfaces, with exact signs at grid points and a certified zero near each vertex.
 
+mod apart;
 mod bounds;
 mod cells;
 mod collapse;
@@ -16,6 +17,7 @@ mod tetrahedra;
 mod topology;
 mod triangles;
 
+pub(crate) use apart::parts_apart;
 pub use bounds::{Held, SurfaceBox, mesh_bounds};
 pub use extent::BoxSides;
 pub use radial::{mesh_harmonic, mesh_radial};

@@ -81,7 +81,8 @@ impl Mesh {
     /// them, which keeps the topology.
     /// Lemma 4. If this holds for every factor, and no cell is left for two of them, it holds for their union.
     /// Proof. A cell that is not left for a factor has no zero of it, the sides of the cell included; so a zero of two factors would be in a
-    /// cell that is left for both.
+    /// cell that is left for both. Factors that are meshed in boxes of their own, which hold all of their zeros and are disjoint, have no
+    /// common zero.
     /// Laws: `what_is_proved_is_the_topology`, `factors_that_meet_are_not_proved_to_be_apart`.
     #[must_use]
     pub fn has_proved_topology(&self) -> bool {

@@ -5,9 +5,11 @@ use super::equation::{check_surface, cylinder, through_equation};
 use super::fit::exact_form;
 use super::singular::singular_parts;
 use super::{BoxSides, Given, Work};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::fit::FitOptions;
-use crate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface};
+use crate::mesh::{
+    Held, Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface, parts_apart,
+};
 use crate::options::options;
 use crate::shape::{Form, HarmonicPair, HarmonicSurface, ImplicitSurface, SpaceSuperquadric};
 use crate::sphere::{Positivity, positivity};
@@ -23,7 +25,7 @@ options! {
     MeshingOptions {
         /// The box in which the surface is meshed; by default a box around the surface.
         window: Option<BoxSides> = None,
-        /// The number of cells along the longest side of the box.
+        /// The number of cells along the longest side of the box, and of each box where factors of the surface are apart.
         resolution: u32 = 64,
         /// Edges are split where the surface bends by more than this, in degrees from 1 to 180.
         angle: f64 = 20.0,
@@ -137,7 +139,8 @@ fn has_one_sign(surface: &HarmonicSurface, work: &Work) -> Result<bool> {
     Ok(matches!(found, Positivity::Positive { .. }))
 }
 
-/// The mesh in the window, or in a box around the surface. The box grows while a bounded surface does not fit in it.
+/// The mesh in the window, or in a box around the surface. The box grows while a bounded surface does not fit in it. Factors that are
+/// apart, in disjoint boxes, are meshed in grids of their own, so that each has enough cells.
 pub(super) fn of_surface(
     surface: &ImplicitSurface,
     options: &MeshingOptions,
@@ -145,6 +148,23 @@ pub(super) fn of_surface(
 ) -> Result<Mesh> {
     check_surface(surface, work)?;
     let surface = &*surface.in_original_coordinates(work.bounds())?;
+    let apart = match options.window {
+        Some(_) => None,
+        None => work.stage("bounds", || parts_apart(surface, work.bounds()))?,
+    };
+    let Some(parts) = apart else {
+        return in_one_box(surface, options, work);
+    };
+    let mut parts = parts.iter().map(|part| in_one_box(part, options, work));
+    let first = parts.next().invariant("there are several parts")?;
+    parts.try_fold(first, |mut mesh, part| {
+        mesh.append(part?)?;
+        Ok(mesh)
+    })
+}
+
+/// The mesh in one box.
+fn in_one_box(surface: &ImplicitSurface, options: &MeshingOptions, work: &Work) -> Result<Mesh> {
     let (mut bounds, may_grow, held) = match options.window {
         Some(window) => (window, false, Held::NotAsked),
         None => match work.stage("bounds", || mesh_bounds(surface, work.bounds()))? {

@@ -10,10 +10,12 @@ use crate::common::program::run_in;
 use proptest::prelude::*;
 use stellate::document::mesh_text;
 use stellate::exact::{Dyadic, Rational};
+use stellate::language::Numbers;
 use stellate::limits::Limits;
 use stellate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_surface};
 use stellate::poly::SparsePolynomial;
 use stellate::shape::ImplicitSurface;
+use stellate::verb::{self, Given, MeshingOptions, Work};
 use tempfile::tempdir;
 
 fn meshed(text: &str, bounds: Option<[[f64; 2]; 3]>, resolution: u32) -> Mesh {
@@ -245,6 +247,37 @@ fn factors_that_meet_are_not_proved_to_be_apart() {
             !is_apart
         );
     }
+}
+
+/// Far from each other, and of other sizes, two factors have the triangles that each of them has alone.
+#[test]
+fn factors_that_are_apart_have_grids_of_their_own() {
+    let [first, second] = ["(x^2+y^2+z^2-1)", "((x-1000)^2+(y-7)^2+z^4-9)"];
+    let options = MeshingOptions::default().resolution(12);
+    let meshed = |text: &str| {
+        let given = Given::read(text, Numbers::Exact).unwrap();
+        verb::mesh(given, &options, &Work::default()).unwrap()
+    };
+    let both = meshed(&format!("{first}*{second}"));
+    let mut alone = [first, second].map(&meshed);
+    // The factors have no given order.
+    alone.sort_by_key(|mesh| usize::from(mesh.vertices[0] != both.vertices[0]));
+    let count = u32::try_from(alone[0].vertices.len()).unwrap();
+    assert_eq!(
+        both.vertices,
+        alone.each_ref().map(|mesh| mesh.vertices.clone()).concat()
+    );
+    assert_eq!(both.factors, [0, alone[0].triangles.len()]);
+    let moved = alone[1].triangles.iter().map(|t| t.map(|v| v + count));
+    assert!(
+        both.triangles
+            .iter()
+            .copied()
+            .eq(alone[0].triangles.iter().copied().chain(moved))
+    );
+    let topology = both.topology();
+    assert!(topology.is_watertight() && both.has_proved_topology());
+    assert_eq!((topology.components, topology.euler_characteristic), (2, 4));
 }
 
 /// Undirected edges, each with the number of its triangles.
