@@ -4,6 +4,7 @@
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, shift_by_one};
 use crate::roots::{RealRoot, real_roots};
@@ -48,24 +49,36 @@ impl Offset {
 
 /// The real root λ ≠ 0 of Σ c_d λ^d that is nearest to 1, as δ = λ − 1. The bounds of δ are exactly 0, or apart by at most 2⁻⁸⁰
 /// of δ and of λ. `None` if there is no real root but 0. If two roots are equally near up to 2⁻⁸⁰, it is either of them. The
-/// terms (d, c_d) must descend in d.
+/// terms (d, c_d) must descend in d. `are_counted` tells which of the roots, ascending, are counted; without it all are.
 ///
 /// Cost: a Taylor shift and the isolation of the real roots.
-pub(super) fn nearest_to_one(terms: &[(usize, Integer)]) -> Option<Offset> {
+pub(super) fn nearest_to_one(
+    terms: &[(usize, Integer)],
+    are_counted: Option<&dyn Fn(Vec<RealRoot>) -> Vec<bool>>,
+) -> Option<Offset> {
     let lowest = terms.last()?.0;
     let highest = terms.first()?.0;
     let mut dense = vec![Integer::default(); highest - lowest + 1];
     for (d, c) in terms {
         dense[d - lowest] = c.clone();
     }
-    nearest_to_zero(&shift_by_one(IntegerPolynomial::from_coefficients_asc(
-        dense,
-    )))
+    let f = IntegerPolynomial::from_coefficients_asc(dense);
+    let are_counted = are_counted.map(|counted| counted(real_roots(&f)));
+    let mut roots = real_roots(&shift_by_one(f));
+    if let Some(are_counted) = are_counted {
+        let mut are_counted = are_counted.into_iter();
+        roots.retain(|_| are_counted.next().invariant("a shift keeps the roots"));
+    }
+    nearest_of(&roots)
 }
 
 /// The real root δ of f that is nearest to 0, for an f of which −1 is not a root.
 pub(super) fn nearest_to_zero(f: &IntegerPolynomial) -> Option<Offset> {
-    let roots = real_roots(f);
+    nearest_of(&real_roots(f))
+}
+
+/// The one of some ascending roots that is nearest to 0.
+fn nearest_of(roots: &[RealRoot]) -> Option<Offset> {
     let below = roots.iter().rev().find(|root| root.signum() < 0);
     let above = roots.iter().find(|root| root.signum() > 0);
     if roots.iter().any(|root| root.signum() == 0) {

@@ -6,7 +6,7 @@ use malachite::base::num::basic::traits::One;
 
 use super::comparison::{Comparison, GivenNumber, Residual, Row};
 use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
-use super::mistakes::diagnose;
+use super::mistakes::{Mistaken, diagnose};
 use super::nearest::nearest_to_one;
 use super::reference::Reference;
 use super::unexplained::unexplained;
@@ -15,7 +15,8 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::parallel;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
-use crate::sample::along;
+use crate::roots::RealRoot;
+use crate::sample::{RealParameters, along};
 
 /// The largest number of rows, evenly chosen, in which usual mistakes are looked for.
 pub(super) const ROWS_FOR_DIAGNOSIS: usize = 24;
@@ -43,9 +44,11 @@ pub(super) fn check_finite<const N: usize>(line: usize, numbers: [(&str, f64); N
 }
 
 /// A polynomial f and its gradient, ready for exact values.
-struct Surface {
+struct Surface<'a> {
     f: SpacePolynomial,
     gradient: [SpacePolynomial; 3],
+    /// Which zeros of f are points of the reference, if it was given by functions of a parameter.
+    parameters: Option<&'a RealParameters>,
 }
 
 impl Reference {
@@ -75,17 +78,20 @@ impl Reference {
             let [x, y, z] = point.position;
             check_finite(point.line, [("x", x), ("y", y), ("z", z)])?;
         }
-        let mut found = compare(points, self.polynomial(), limits)?;
+        let on = self.parameters();
+        let mut found = compare(points, self.polynomial(), on, limits)?;
         found.in_space = self.in_space();
         let step = points.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
         let some: Vec<GivenPoint> = points.iter().step_by(step).copied().collect();
-        let compared = compare(&some, self.polynomial(), limits)?;
-        found.diagnoses = diagnose(&compared, self.mistaken(), |polynomial| {
-            compare(&some, polynomial, limits).ok()
-        });
+        let compared = compare(&some, self.polynomial(), on, limits)?;
+        let with = |polynomial: &_| compare(&some, polynomial, None, limits).ok();
+        found.diagnoses = diagnose(&compared, on.map(|_| self.beyond_the_curve()), with);
+        if found.diagnoses.is_empty() {
+            found.diagnoses = diagnose(&compared, self.mistaken(), with);
+        }
         if found.diagnoses.is_empty() {
             found.diagnoses = diagnose(&compared, self.misplaced(&compared, &some), |points| {
-                compare(points, self.polynomial(), limits).ok()
+                compare(points, self.polynomial(), on, limits).ok()
             });
         }
         if found.diagnoses.is_empty() {
@@ -98,20 +104,35 @@ impl Reference {
 fn compare(
     points: &[GivenPoint],
     polynomial: &SparsePolynomial<3>,
+    parameters: Option<&RealParameters>,
     limits: &Limits,
 ) -> Result<Comparison> {
-    let surface = Surface::new(polynomial);
+    let surface = Surface::new(polynomial, parameters);
     Ok(Comparison {
         rows: parallel::try_map(points, limits, |point| Ok(surface.row(point)))?,
         ..Comparison::default()
     })
 }
 
-impl Surface {
-    fn new(f: &SparsePolynomial<3>) -> Self {
+impl Reference {
+    /// All zeros of the equation instead of the points of the curve.
+    fn beyond_the_curve(&self) -> Mistaken<SparsePolynomial<3>> {
+        Mistaken {
+            name: "beyond the curve".into(),
+            explanation:
+                "the points are zeros of the equation that no real parameter of the curve has"
+                    .into(),
+            form: self.polynomial().clone(),
+        }
+    }
+}
+
+impl<'a> Surface<'a> {
+    fn new(f: &SparsePolynomial<3>, parameters: Option<&'a RealParameters>) -> Self {
         Self {
             f: SpacePolynomial::from(f),
             gradient: [0, 1, 2].map(|axis| SpacePolynomial::from(&f.derivative(axis))),
+            parameters,
         }
     }
 
@@ -129,9 +150,22 @@ impl Surface {
         let value = value(&terms, &self.f, &w);
         let square = p.iter().fold(Rational::zero(), |sum, v| sum + v * v);
         let radius = (!square.is_zero()).then(|| close_root(&square));
+        let are_on = self.parameters.map(|parameters| {
+            let ([u, v, _], w) = (&vector, &w);
+            move |roots: Vec<RealRoot>| parameters.reach([u, v], w, roots)
+        });
+        let is_on = match (self.parameters, &radius) {
+            (Some(parameters), None) => parameters.have_origin(),
+            (Some(_), Some(_)) => false,
+            (None, _) => value.is_zero(),
+        };
         let (exact, deviation) = match radius {
-            radius if value.is_zero() => (Some(radius.unwrap_or_default()), Deviation::exact()),
-            Some(radius) => distance(&terms, &radius),
+            radius if is_on => (Some(radius.unwrap_or_default()), Deviation::exact()),
+            Some(radius) => distance(
+                &terms,
+                &radius,
+                are_on.as_ref().map(|f| f as &dyn Fn(_) -> _),
+            ),
             None => (None, Deviation::infinite()),
         };
         let gradient = self.gradient.each_ref().map(|g| {
@@ -153,8 +187,12 @@ impl Surface {
 
 /// For a point at this distance from the origin: the radius of the nearest point of the zero set on its line, and the deviation
 /// of the point from that.
-fn distance(terms: &[(usize, Integer)], radius: &Rational) -> (Option<Rational>, Deviation) {
-    let nearest = nearest_to_one(terms);
+fn distance(
+    terms: &[(usize, Integer)],
+    radius: &Rational,
+    are_on: Option<&dyn Fn(Vec<RealRoot>) -> Vec<bool>>,
+) -> (Option<Rational>, Deviation) {
+    let nearest = nearest_to_one(terms, are_on);
     let Some((offset, relative)) = nearest.and_then(|o| o.relative().map(|r| (o, r))) else {
         return (None, Deviation::infinite());
     };

@@ -11,6 +11,7 @@ use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
 use crate::parametrize::born_of_radius;
 use crate::poly::SparsePolynomial;
+use crate::sample::RealParameters;
 use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
 
 /// Up to these degrees the coefficients of a program are compared with those in original coordinates, too.
@@ -31,6 +32,8 @@ pub struct Reference {
     next: Option<FourierRadius>,
     /// Of a curve its third coordinate is 0.
     center: [Rational; 3],
+    /// Which real zeros of `polynomial` are points of a parametric curve.
+    parameters: Option<RealParameters>,
 }
 
 impl Reference {
@@ -54,6 +57,7 @@ impl Reference {
             radius_is_given: true,
             next: None,
             center: in_space(radius.center()),
+            parameters: None,
         })
     }
 
@@ -69,6 +73,7 @@ impl Reference {
             radius_is_given: false,
             next: None,
             center: in_space(curve.center()),
+            parameters: None,
         }
     }
 
@@ -83,7 +88,16 @@ impl Reference {
             radius_is_given: false,
             next: None,
             center: surface.center().clone(),
+            parameters: None,
         }
+    }
+
+    /// Says which real zeros of the polynomial are points of the reference. It has no radius in every direction if they are not
+    /// almost all.
+    pub(crate) fn with_parameters(mut self, parameters: RealParameters) -> Self {
+        self.radius = self.radius.filter(|_| parameters.have_simple_zeros());
+        self.parameters = Some(parameters);
+        self
     }
 
     /// Adds the fit with one harmonic more, for a contour, so that a degree that is too high by two is recognised.
@@ -97,6 +111,11 @@ impl Reference {
     #[must_use]
     pub fn polynomial(&self) -> &SparsePolynomial<3> {
         &self.polynomial
+    }
+
+    /// Which real zeros of the polynomial are points of the reference; without parameters all of them.
+    pub(crate) fn parameters(&self) -> Option<&RealParameters> {
+        self.parameters.as_ref()
     }
 
     /// Whether the reference is a surface.

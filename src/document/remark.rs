@@ -57,6 +57,12 @@ pub fn remark_text(remark: &Remark) -> String {
             },
             listed(center)
         ),
+        Remark::PointsBeyond(count) => format!(
+            "points of the equation that no real parameter has are left out: {count}"
+        ),
+        Remark::CurveInLine { theta } => format!(
+            "the curve is in the line at theta = {theta}, of which it may be a part: it has no rows there"
+        ),
         Remark::WholeLine { theta, phi: None } => format!(
             "the whole line at theta = {theta} belongs to the curve: it has no rows"
         ),

@@ -93,25 +93,24 @@ pub fn real_image<const N: usize>(
     })
 }
 
-/// Whether it is known that the real curve goes on where the parametrization turns back, as [`Coverage::Part`] says.
+/// The part of the real curve that real parameters reach.
 ///
 /// # Errors
 /// Those of `limits`.
-pub(crate) fn turns_back<const N: usize>(
+pub(crate) fn coverage<const N: usize>(
     curve: &ParametricCurve<N>,
     tracing_index: usize,
     limits: &Limits,
-) -> Result<bool> {
+) -> Result<Coverage<N>> {
     // An odd number of values of s, of which the others are conjugate, has a real one.
     if !tracing_index.is_multiple_of(2) {
-        return Ok(false);
+        return Ok(Coverage::Whole);
     }
     let common = common_numerator(curve.coordinates(), limits)?;
-    let coverage = match generator(&common) {
-        Some(m) => values_taken::<N>(&m, limits)?.0,
-        None => Coverage::Unknown,
-    };
-    Ok(matches!(coverage, Coverage::Part(_)))
+    match generator(&common) {
+        Some(m) => Ok(values_taken(&m, limits)?.0),
+        None => Ok(Coverage::Unknown),
+    }
 }
 
 /// The numbers [`RealImage::real_counts`] alone: how many real values of s, infinity included, a general point of the real

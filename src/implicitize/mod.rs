@@ -37,7 +37,7 @@ pub use beyond::{PointBeyond, point_beyond};
 pub use harmonic::SquaredHarmonics;
 pub(crate) use identity::lies_on;
 pub use image::{Coverage, RealImage, real_image};
-pub(crate) use image::{real_counts, traced_once, turns_back};
+pub(crate) use image::{coverage, real_counts, traced_once};
 pub use isolated_point::{Isolated, IsolatedPoint};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{

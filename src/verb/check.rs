@@ -1,7 +1,8 @@
 //! Comparison of the numbers of a float program with the exact ones, and test vectors for float programs.
 
 use super::equation::{
-    Taken, check_curve, curve_of_superquadric, surface_of_superquadric, through_equation,
+    Taken, check_curve, curve_of_superquadric, equation_and_parameters, surface_of_superquadric,
+    through_equation,
 };
 use super::fit::{exact_form, fit_quietly};
 use super::{Content, Given, Remark, Work};
@@ -89,7 +90,9 @@ const CHECK: Taken = Taken {
     these: "plane curves and surfaces",
 };
 
-/// Prepares the exact form of a comparison. A contour is fitted, once as the options say and once with one more harmonic.
+/// Prepares the exact form of a comparison. A contour is fitted, once as the options say and once with one more harmonic. A patch is
+/// compared by its equation. Points are compared with those of a parametric plane curve that real parameters have, coefficients and radii
+/// with those of its equation.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -117,9 +120,15 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         Form::Harmonic(surface) => Some(SphericalReference::new(surface)),
         _ => None,
     };
+    let mut parameters = None;
     let form = match form {
         Form::Superquadric(shape) => Form::Curve(curve_of_superquadric(&shape)?),
         Form::SpaceSuperquadric(shape) => Form::Surface(surface_of_superquadric(&shape)?),
+        Form::PlaneCurve(curve) => {
+            let (equation, found) = equation_and_parameters(&curve, work)?;
+            parameters = Some(found);
+            Form::Curve(equation)
+        }
         other => through_equation(other, work)?,
     };
     let reference = work.stage("implicitize", || match &form {
@@ -135,9 +144,10 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         _ => Err(CHECK.not_this()),
     })?;
     work.remark_center(reference.center());
-    let reference = match next {
-        Some(next) => reference.with_next(next),
-        None => reference,
+    let reference = match (next, parameters) {
+        (Some(next), _) => reference.with_next(next),
+        (None, Some(parameters)) => reference.with_parameters(parameters),
+        (None, None) => reference,
     };
     Ok(CheckTask {
         reference,
@@ -226,6 +236,10 @@ impl CheckTask {
                 self.reference.check_points(points, work.bounds())
             }),
             FloatNumbers::Radii(radii) => {
+                let parameters = self.reference.parameters();
+                if parameters.is_some_and(|known| !known.have_simple_zeros()) {
+                    work.remark(Remark::EquationHasMore("curve"));
+                }
                 work.stage("check", || self.reference.check_radii(radii, work.bounds()))
             }
         }

@@ -3,11 +3,14 @@
 use super::{Remark, Work};
 use crate::error::{Error, Result};
 use crate::implicitize::{
-    SquaredForm, SquaredHarmonics, implicitize_patch, implicitize_plane, point_beyond, turns_back,
+    Coverage, SquaredForm, SquaredHarmonics, coverage, implicitize_patch, implicitize_plane,
+    point_beyond,
 };
 use crate::poly::SparsePolynomial;
+use crate::sample::RealParameters;
 use crate::shape::{
-    Form, HarmonicSurface, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric,
+    Form, HarmonicSurface, ImplicitCurve, ImplicitSurface, PlaneCurve, SpaceSuperquadric,
+    Superquadric,
 };
 
 /// A verb and the forms that it takes, for messages.
@@ -31,11 +34,11 @@ impl Taken {
 pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     Ok(match form {
         Form::PlaneCurve(curve) => {
-            let found = work.stage("implicitize", || implicitize_plane(&curve, work.bounds()))?;
-            if turns_back(&curve, found.tracing_index, work.bounds())? {
+            let (equation, coverage) = equation_and_coverage(&curve, work)?;
+            if matches!(coverage, Coverage::Part(_)) {
                 work.remark(Remark::EquationHasMore("curve"));
             }
-            Form::Curve(found.curve)
+            Form::Curve(equation)
         }
         Form::Patch(patch) => {
             let found = work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?;
@@ -50,6 +53,22 @@ pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
         ),
         other => other,
     })
+}
+
+/// The equation of a parametric plane curve, and which of its real zeros are on the curve.
+pub(super) fn equation_and_parameters(
+    curve: &PlaneCurve,
+    work: &Work,
+) -> Result<(ImplicitCurve, RealParameters)> {
+    let (equation, coverage) = equation_and_coverage(curve, work)?;
+    let parameters = RealParameters::new(curve, matches!(coverage, Coverage::Whole));
+    Ok((equation, parameters))
+}
+
+fn equation_and_coverage(curve: &PlaneCurve, work: &Work) -> Result<(ImplicitCurve, Coverage<2>)> {
+    let found = work.stage("implicitize", || implicitize_plane(curve, work.bounds()))?;
+    let coverage = coverage(curve, found.tracing_index, work.bounds())?;
+    Ok((found.curve, coverage))
 }
 
 /// The equation of a harmonic surface, not expanded.

@@ -56,6 +56,13 @@ pub enum Remark {
         /// About how many decimal digits cancel near the form.
         digits: u32,
     },
+    /// So many points of the equation of a parametric curve, which are not on the curve, are left out.
+    PointsBeyond(usize),
+    /// A parametric curve is in a line through the origin, and has no rows; it may be a part of the line.
+    CurveInLine {
+        /// The angle θ of the line.
+        theta: f64,
+    },
     /// A whole line through the origin belongs to the form; it has no rows.
     WholeLine {
         /// The nominal angle θ.

@@ -2,18 +2,21 @@
 
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
 use super::claims::{claim_arcs, claim_rays, claim_superquadric_rays};
-use super::equation::{Taken, check_surface, implicit_curve, squared_harmonics, through_equation};
+use super::equation::{
+    Taken, check_surface, equation_and_parameters, implicit_curve, squared_harmonics,
+    through_equation,
+};
 use super::fit::exact_form;
 use super::{CoordinatesFrom, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::options::options;
 use crate::parallel;
 use crate::sample::{
-    Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts,
-    harmonic_ray, solve_radial,
+    Direction, HomogeneousParts, IntegerVector, NominalAngles, Ray, RaySolver, RealParameters,
+    Sample, SampledRay, SpaceDirection, StageCounts, harmonic_ray, solve_radial,
 };
 use crate::shape::{Form, HarmonicPair, HarmonicSurface, ImplicitSurface};
 use crate::witness::{curve_form, surface_form};
@@ -85,7 +88,8 @@ const SAMPLE: Taken = Taken {
 
 /// Finds all real points of a form in exact directions. Each coordinate is the double nearest to the exact one, and the number
 /// of points is proved. A direction is a whole line, so that r may be negative, and directions all around find each point twice;
-/// [`SampleOptions::positive`] keeps r ≥ 0.
+/// [`SampleOptions::positive`] keeps r ≥ 0. Of a parametric plane curve these are the points that real parameters have, and the limit
+/// for an infinite parameter; of a patch they are the points of its equation.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -109,7 +113,13 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         refuse_arcs(&options.arcs)?;
         return of_harmonics(surface, options, work);
     }
+    let mut parameters = None;
     let form = match fitted.form {
+        Form::PlaneCurve(curve) => {
+            let (equation, found) = equation_and_parameters(&curve, work)?;
+            parameters = Some(found);
+            Form::Curve(equation)
+        }
         shape @ (Form::Superquadric(_) | Form::SpaceSuperquadric(_)) => shape,
         other => through_equation(other, work)?,
     };
@@ -169,9 +179,14 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
             work,
         )
     })?;
+    let rays = match &parameters {
+        Some(parameters) => on_the_curve(rays, parameters, &solver, work)?,
+        None => rays,
+    };
     let rays = kept(rays, options);
     work.remark_center(&center);
-    remark_lines(&rays, work);
+    let are_whole = parameters.is_none_or(|known| known.have_simple_zeros());
+    remark_lines(&rays, are_whole, work);
     Ok(Samples {
         points: SampledPoints::Plane { rays, center },
         counts: Some(solver.stage_counts()),
@@ -237,7 +252,7 @@ fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -
     })?;
     let rays = kept(rays, options);
     work.remark_center(&center);
-    remark_lines(&rays, work);
+    remark_lines(&rays, true, work);
     Ok(Samples {
         points: SampledPoints::Space { rays, center },
         counts: Some(solver.stage_counts()),
@@ -269,10 +284,17 @@ fn of_intersection(
     Ok(uncounted(SampledPoints::Arcs(found)))
 }
 
-fn remark_lines<D: NominalAngles<V>, const V: usize>(rays: &[SampledRay<D, V>], work: &Work) {
+fn remark_lines<D: NominalAngles<V>, const V: usize>(
+    rays: &[SampledRay<D, V>],
+    are_whole: bool,
+    work: &Work,
+) {
     for ray in rays.iter().filter(|r| r.ray == Ray::Line) {
         let (theta, phi) = ray.direction.angles();
-        work.remark(Remark::WholeLine { theta, phi });
+        work.remark(match are_whole {
+            true => Remark::WholeLine { theta, phi },
+            false => Remark::CurveInLine { theta },
+        });
     }
 }
 
@@ -332,6 +354,48 @@ fn kept<D, const V: usize>(
         }
     }
     rays
+}
+
+/// The points of the equation of a parametric curve that are on the curve, numbered anew.
+fn on_the_curve<P: HomogeneousParts<2> + Sync>(
+    mut rays: Vec<SampledRay>,
+    parameters: &RealParameters,
+    solver: &RaySolver<'_, P, 2>,
+    work: &Work,
+) -> Result<Vec<SampledRay>> {
+    let reached = work.stage("parameters", || {
+        parallel::try_map(&rays, work.bounds(), |sampled| {
+            let Ray::Points(points) = &sampled.ray else {
+                return Ok(Vec::new());
+            };
+            if parameters.have_simple_zeros() && points.iter().all(|p| p.multiplicity == 1) {
+                return Ok(vec![true; points.len()]);
+            }
+            let roots = solver.exact_distances(&sampled.direction);
+            let mut roots = roots.invariant("only a whole line has no distances");
+            roots.reverse();
+            let ([u, v], w) = sampled.direction.over_common_denominator();
+            let mut reached = parameters.reach([&u, &v], &w, roots);
+            reached.reverse();
+            Ok(reached)
+        })
+    })?;
+    let mut left_out = 0;
+    for (sampled, reached) in rays.iter_mut().zip(reached) {
+        if let Ray::Points(points) = &mut sampled.ray {
+            let on = std::mem::take(points).into_iter().zip(reached);
+            let (on, beyond): (Vec<_>, Vec<_>) = on.partition(|(_, is_on)| *is_on);
+            let numbered = on.into_iter().enumerate();
+            *points = numbered
+                .map(|(branch, (point, _))| Sample { branch, ..point })
+                .collect();
+            left_out += beyond.len();
+        }
+    }
+    if left_out > 0 {
+        work.remark(Remark::PointsBeyond(left_out));
+    }
+    Ok(rays)
 }
 
 fn solve<D: NominalAngles<V> + Sync, const V: usize>(
