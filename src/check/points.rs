@@ -150,15 +150,15 @@ impl<'a> Surface<'a> {
         let value = value(&terms, &self.f, &w);
         let square = p.iter().fold(Rational::zero(), |sum, v| sum + v * v);
         let radius = (!square.is_zero()).then(|| close_root(&square));
+        let [u, v, _] = &vector;
         let are_on = self.parameters.map(|parameters| {
-            let ([u, v, _], w) = (&vector, &w);
+            let w = &w;
             move |roots: Vec<RealRoot>| parameters.reach([u, v], w, roots)
         });
-        let is_on = match (self.parameters, &radius) {
-            (Some(parameters), None) => parameters.have_origin(),
-            (Some(_), Some(_)) => false,
-            (None, _) => value.is_zero(),
-        };
+        let is_on = value.is_zero()
+            && self
+                .parameters
+                .is_none_or(|known| known.have_point([u, v], &w));
         let (exact, deviation) = match radius {
             radius if is_on => (Some(radius.unwrap_or_default()), Deviation::exact()),
             Some(radius) => distance(

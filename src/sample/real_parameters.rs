@@ -96,12 +96,13 @@ impl RealParameters {
         self.is_general
     }
 
-    /// Whether the origin is a point of the curve.
-    pub(crate) fn have_origin(&self) -> bool {
-        let [x, y] = &self.coordinates;
-        let zeros = self.zeros(&polynomial_gcd(x, y));
-        let mut zeros = zeros.iter().filter(|s| self.sign(x, s) == 0);
-        zeros.any(|s| self.sign(y, s) == 0 && self.sign(&self.common, s) != 0)
+    /// Whether vector/w is a point of the curve.
+    pub(crate) fn have_point(&self, vector: [&Integer; 2], w: &Integer) -> bool {
+        let [x, y] =
+            [0, 1].map(|i| scaled(&self.coordinates[i], w) - scaled(&self.common, vector[i]));
+        let is_zero = |f: &IntegerPolynomial, s: &Parameter| self.sign(f, s) == 0;
+        let mut zeros = self.zeros(&polynomial_gcd(&x, &y)).into_iter();
+        zeros.any(|s| is_zero(&x, &s) && is_zero(&y, &s) && !is_zero(&self.common, &s))
     }
 
     /// The real zeros of f, infinity included. There are none if f is 0 identically.
@@ -194,10 +195,14 @@ mod tests {
         // The circle without the limit at infinity is closed.
         let circle = curve("x = (1-t^2)/(1+t^2); y = 2*t/(1+t^2)");
         assert_eq!(reached(&circle, false, [1, 0]), [(-1.0, true), (1.0, true)]);
-        assert!(!RealParameters::new(&circle, true).have_origin());
+        let has_origin = |curve: &PlaneCurve| {
+            let (zero, one) = (Integer::from(0), Integer::ONE);
+            RealParameters::new(curve, true).have_point([&zero; 2], &one)
+        };
+        assert!(!has_origin(&circle));
         let through = curve("x = 1+(1-t^2)/(1+t^2); y = 2*t/(1+t^2)");
-        assert!(RealParameters::new(&through, true).have_origin());
-        assert!(!RealParameters::new(&isolated, true).have_origin());
+        assert!(has_origin(&through));
+        assert!(!has_origin(&isolated));
     }
 
     proptest! {
@@ -231,15 +236,16 @@ mod tests {
             let roots = roots_on(equation.curve.polynomial(), &vector);
             let place = Rational::one() / Rational::whole(&whole);
             let index = roots.iter().position(|root| root.cmp_rational(&place).is_eq());
+            let index = index.invariant("a point of the curve is a zero of its equation");
             // A point with two values of m may be reached by the other one.
-            let is_simple = index.is_some_and(|i| roots[i].multiplicity() == 1);
+            let is_simple = roots[index].multiplicity() == 1;
             let [u, v] = &vector;
             let found = parameters.reach([u, v], &Integer::ONE, roots);
+            prop_assert_eq!(found[index], parameters.have_point([u, v], &whole), "{}", text);
             if is_simple {
                 let is_in_range = if bounded { m.abs() <= Rational::one() } else { m.signum() >= 0 };
-                prop_assert_eq!(found[index.unwrap()], is_in_range, "{}", text);
+                prop_assert_eq!(found[index], is_in_range, "{}", text);
             }
-            prop_assert!(index.is_some(), "{}", text);
         }
     }
 }

@@ -85,4 +85,7 @@ fn check_measures_points_from_the_curve_itself() {
     let isolated = "x = t^2 + 1; y = t*(t^2 + 1)";
     assert_eq!(check("y^2 = (x-1)*x^2", "0,0\n").code, 0);
     assert_eq!(check(isolated, "0,0\n").code, 1);
+    // A segment on the x axis, all of which is in a line through the origin.
+    assert_eq!(check("x = cos(t); y = 0", "0.5,0\n-1,0\n0,0\n").code, 0);
+    assert_eq!(check("x = cos(t); y = 0", "3,0\n").code, 1);
 }
