@@ -18,6 +18,16 @@ pub(super) fn surface(
     equations: &[Equation],
     center: Option<Span>,
 ) -> Result<Form> {
+    let mut names = equations.iter().map(|equation| &equation.names);
+    if !names.any(|names| names.any(&[Name::SpaceRadius])) {
+        let mut harmonics = equations
+            .iter()
+            .filter_map(|e| e.names.first(Name::Harmonic));
+        let message = "Y(l, m) is a spherical harmonic, which stands on the right of R = …, as in R = 1 + Y(2,0)/5; \
+                       a multiple of the coordinate y is written 2*y";
+        let at = harmonics.next().invariant("R or a harmonic occurs");
+        return Err(cx.source.error(at, message));
+    }
     let [equation] = equations else {
         let second = equations.get(1).map(|second| second.left.span);
         let message = "a second equation: R = … is a surface by itself";

@@ -169,3 +169,23 @@ fn a_mesh_beyond_the_largest_double_is_refused() {
     assert!(run.err.contains("beyond the largest double"), "{}", run.err);
     assert!(!folder.path().join("far.obj").exists());
 }
+
+/// A harmonic without R is one clear error.
+#[test]
+fn harmonics_belong_to_a_radius() {
+    for form in [
+        "X + Y(2) = 1",
+        "1 + Y(2,0)/5",
+        "Y(2,0)",
+        "x = Y(1,0); y = t",
+        "r = 1 + Y(1,0)",
+    ] {
+        let run = run_in(Path::new("."), &["implicitize", form], "");
+        assert_eq!(run.code, 2, "{form}: {}", run.err);
+        assert!(
+            run.err.contains("on the right of R = "),
+            "{form}: {}",
+            run.err
+        );
+    }
+}
