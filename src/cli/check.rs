@@ -47,7 +47,9 @@ pub(crate) fn run(flags: &Check, session: &mut Session) -> Result<()> {
         return write_result(session, |out| write_ladder(&rungs, format, out));
     };
     let task = verb::check(given, &options, &session.work)?;
-    let (text, source) = session.work.stage("read", || input::read_data(file))?;
+    let (text, source) = session
+        .work
+        .stage("read", || input::read_data(file, session))?;
     let numbers = task.read(kind, &text, &source)?;
     let found = task.compare(&numbers, &source, &session.work)?;
     if let Some(figure) = figure {

@@ -61,14 +61,22 @@ pub(crate) fn read_all(
 /// Refuses to write over a file that is read: an outline would be lost.
 pub(super) fn refuse_output(argument: &str, session: &Session) -> Result<()> {
     let file = |path: &Path| path.canonicalize().ok().filter(|path| path.is_file());
-    let read = file(Path::new(argument));
-    let written = session.common.output.as_deref().and_then(file);
-    match (read, written) {
-        (Some(read), Some(written)) if read == written => Err(Error::Usage(format!(
-            "-o {argument}: this file is read; write to another one"
-        ))),
-        _ => Ok(()),
+    let Some(read) = file(Path::new(argument)) else {
+        return Ok(());
+    };
+    let written = [("-o", &session.common.output), ("--proof", &session.proof)];
+    for (flag, path) in written {
+        if path
+            .as_deref()
+            .and_then(file)
+            .is_some_and(|path| path == read)
+        {
+            return Err(Error::Usage(format!(
+                "{flag} {argument}: this file is read; write to another one"
+            )));
+        }
     }
+    Ok(())
 }
 
 fn options_of(flags: &FitFlags, session: &Session) -> ReadOptions {
@@ -90,7 +98,8 @@ fn read_options(flags: &OutlineFlags, session: &Session) -> ReadOptions {
 }
 
 /// Reads a data file of a verb, or standard input. Returns the text and the name of its source in messages.
-pub(crate) fn read_data(argument: &str) -> Result<(String, String)> {
+pub(crate) fn read_data(argument: &str, session: &Session) -> Result<(String, String)> {
+    refuse_output(argument, session)?;
     if argument == "-" {
         let name = "standard input";
         let text = read_limited(std::io::stdin().lock(), name)?;

@@ -45,6 +45,9 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     }
     let columns = column_format(session)?;
     let options = options(flags, session);
+    if let Some(name) = &flags.points {
+        input::refuse_output(name, session)?;
+    }
     let points = points(flags)?;
     let dimension = points.dimension()?;
     let given = input::read_outline(&flags.form, &flags.outline, session)?;

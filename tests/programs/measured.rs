@@ -90,6 +90,30 @@ fn the_output_is_never_the_input() {
         &["fit", "a.csv", "-n", "3", "-o", "a.csv"][..],
         &["fit", "a.csv", "--all", "-n", "3", "-o", "./a.csv"],
         &["implicitize", "./a.csv", "-n", "3", "-o", "a.csv"],
+        &["fit", "a.csv", "-n", "3", "--proof", "./a.csv"],
+        &[
+            "inspect",
+            "r = 1",
+            "--tolerance",
+            "1",
+            "--points",
+            "a.csv",
+            "-o",
+            "a.csv",
+        ],
+        &[
+            "inspect",
+            "r = 1",
+            "--tolerance",
+            "1",
+            "--points",
+            "a.csv",
+            "--proof",
+            "a.csv",
+        ],
+        &["check", "r = 1", "--points", "a.csv", "-o", "./a.csv"],
+        &["check", "r = 1", "--radii", "a.csv", "-o", "a.csv"],
+        &["check", "r = 1", "--coefficients", "a.csv", "-o", "a.csv"],
     ] {
         let run = run_in(folder.path(), arguments, "");
         assert_eq!(run.code, 2, "{arguments:?}");
@@ -98,5 +122,24 @@ fn the_output_is_never_the_input() {
             fs::read_to_string(folder.path().join("a.csv")).unwrap(),
             rows
         );
+    }
+}
+
+/// A proof is not lost among the answer, and has a file.
+#[test]
+fn a_proof_has_a_file_of_its_own() {
+    let folder = TempDir::new().unwrap();
+    for (arguments, message) in [
+        (
+            ["-o", "a.txt", "--proof", "a.txt"],
+            "-o writes to this file",
+        ),
+        (["-o", "a.txt", "--proof", "-"], "a file of its own"),
+    ] {
+        let command = [&["implicitize", "r = 2"], &arguments[..]].concat();
+        let run = run_in(folder.path(), &command, "");
+        assert_eq!(run.code, 2, "{command:?}");
+        assert!(run.err.contains(message), "{}", run.err);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 }
