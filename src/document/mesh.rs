@@ -219,19 +219,20 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
                 .into(),
         );
     }
-    lines.push(
-        match mesh.held {
-            Held::Whole => "it is proved that no part of the surface is outside of the box",
-            Held::BoundedPieces => {
-                "it is proved that no bounded piece of the surface is outside of the box"
-            }
-            Held::Unproved => "a piece of the surface may be outside of the box",
-            Held::NotAsked => {
-                "parts of the surface that are more than a cell outside of the window are left out"
-            }
+    let boxes = if mesh.boxes > 1 { "boxes" } else { "box" };
+    lines.push(match mesh.held {
+        Held::Whole => {
+            format!("it is proved that no part of the surface is outside of the {boxes}")
         }
-        .into(),
-    );
+        Held::BoundedPieces => {
+            format!("it is proved that no bounded piece of the surface is outside of the {boxes}")
+        }
+        Held::Unproved => format!("a piece of the surface may be outside of the {boxes}"),
+        Held::NotAsked => {
+            "parts of the surface that are more than a cell outside of the window are left out"
+                .into()
+        }
+    });
     if mesh.inward > 0 {
         let pieces = counted(
             mesh.inward,

@@ -88,7 +88,12 @@ impl Mesh {
         self.vertices.extend(other.vertices);
         self.normals.extend(other.normals);
         self.vertex_bound = self.vertex_bound.max(other.vertex_bound);
-        self.cell = self.cell.max(other.cell);
+        self.boxes += other.boxes;
+        self.cell = match (self.cells[1], other.cells[1]) {
+            (1.., 0) => self.cell,
+            (0, 1..) => other.cell,
+            _ => self.cell.max(other.cell),
+        };
         for (sum, count) in self.cells.iter_mut().zip(other.cells) {
             *sum += count;
         }

@@ -57,8 +57,10 @@ pub struct Mesh {
     pub factors: Vec<usize>,
     /// A bound of the distance between a vertex and the certified zero near it.
     pub vertex_bound: f64,
-    /// The side of a cell.
+    /// The side of a cell; of several grids the largest, of those with cells of the second kind if there are some.
     pub cell: f64,
+    /// The number of boxes in which parts of the surface are meshed; 0 if it is meshed along rays.
+    pub boxes: usize,
     /// The number of cells that could not be proved to be empty, and how many of these could not be proved to hold a single
     /// smooth sheet. Only in cells of the second kind the mesh may miss a part that is smaller than a cell.
     pub cells: [usize; 2],
@@ -177,6 +179,7 @@ fn mesh_in_place(
     let grid = Grid::covering(&options.bounds, options.resolution);
     let mut mesh = Mesh {
         cell: grid.side,
+        boxes: 1,
         ..Mesh::default()
     };
     let factors = factor_space(f, limits)?.factors;

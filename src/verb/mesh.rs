@@ -101,7 +101,7 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
             mesh.has_proved_topology() || mesh.held == Held::NotAsked && mesh.cells[0] == 0;
         if mesh.curves.is_empty() && mesh.points.is_empty() && !is_proved {
             return Err(Error::limit(format!(
-                "{name}: no part of the surface was found{place}, with {} cells along the longest side of the box; a larger --resolution or a smaller --window may show one",
+                "{name}: no part of the surface was found{place}, with {} cells along the longest side of a box; a larger --resolution or a smaller --window may show one",
                 options.resolution
             )));
         }
