@@ -8,6 +8,7 @@ use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, shift_by_one};
 use crate::roots::{RealRoot, real_roots};
+use crate::sample::RealParameters;
 
 /// The distance of the root from 1 is enclosed with a relative width of 2^−DISTANCE_BITS.
 const DISTANCE_BITS: i64 = 80;
@@ -49,12 +50,12 @@ impl Offset {
 
 /// The real root λ ≠ 0 of Σ c_d λ^d that is nearest to 1, as δ = λ − 1. The bounds of δ are exactly 0, or apart by at most 2⁻⁸⁰
 /// of δ and of λ. `None` if there is no real root but 0. If two roots are equally near up to 2⁻⁸⁰, it is either of them. The
-/// terms (d, c_d) must descend in d. `are_counted` tells which of the roots, ascending, are counted; without it all are.
+/// terms (d, c_d) must descend in d. `on` tells which of them are counted; without it all are.
 ///
 /// Cost: a Taylor shift and the isolation of the real roots.
 pub(super) fn nearest_to_one(
     terms: &[(usize, Integer)],
-    are_counted: Option<&dyn Fn(Vec<RealRoot>) -> Vec<bool>>,
+    on: Option<&OnCurve<'_>>,
 ) -> Option<Offset> {
     let lowest = terms.last()?.0;
     let highest = terms.first()?.0;
@@ -63,13 +64,23 @@ pub(super) fn nearest_to_one(
         dense[d - lowest] = c.clone();
     }
     let f = IntegerPolynomial::from_coefficients_asc(dense);
-    let are_counted = are_counted.map(|counted| counted(real_roots(&f)));
-    let mut roots = real_roots(&shift_by_one(f));
-    if let Some(are_counted) = are_counted {
-        let mut are_counted = are_counted.into_iter();
-        roots.retain(|_| are_counted.next().invariant("a shift keeps the roots"));
+    let mut roots = real_roots(&shift_by_one(f.clone()));
+    let are_simple = || roots.iter().all(|root| root.multiplicity() == 1);
+    if let Some(on) = on.filter(|on| !on.parameters.have_general_points() || !are_simple()) {
+        let mut reached = on
+            .parameters
+            .reach(on.vector, on.w, real_roots(&f))
+            .into_iter();
+        roots.retain(|_| reached.next().invariant("a shift keeps the roots"));
     }
     nearest_of(&roots)
+}
+
+/// The point vector/w, on the line on which points of a parametric curve are looked for.
+pub(super) struct OnCurve<'a> {
+    pub(super) parameters: &'a RealParameters,
+    pub(super) vector: [&'a Integer; 2],
+    pub(super) w: &'a Integer,
 }
 
 /// The real root δ of f that is nearest to 0, for an f of which −1 is not a root.

@@ -7,7 +7,7 @@ use malachite::base::num::basic::traits::One;
 use super::comparison::{Comparison, GivenNumber, Residual, Row};
 use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
 use super::mistakes::{Mistaken, diagnose};
-use super::nearest::nearest_to_one;
+use super::nearest::{OnCurve, nearest_to_one};
 use super::reference::Reference;
 use super::unexplained::unexplained;
 use crate::error::{Error, Invariant, Result};
@@ -15,7 +15,6 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::parallel;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
-use crate::roots::RealRoot;
 use crate::sample::{RealParameters, along};
 
 /// The largest number of rows, evenly chosen, in which usual mistakes are looked for.
@@ -120,7 +119,7 @@ impl Reference {
         Mistaken {
             name: "beyond the curve".into(),
             explanation:
-                "the points are zeros of the equation that no real parameter of the curve has"
+                "the points are near zeros of the equation that no real parameter of the curve has"
                     .into(),
             form: self.polynomial().clone(),
         }
@@ -151,9 +150,10 @@ impl<'a> Surface<'a> {
         let square = p.iter().fold(Rational::zero(), |sum, v| sum + v * v);
         let radius = (!square.is_zero()).then(|| close_root(&square));
         let [u, v, _] = &vector;
-        let are_on = self.parameters.map(|parameters| {
-            let w = &w;
-            move |roots: Vec<RealRoot>| parameters.reach([u, v], w, roots)
+        let on = self.parameters.map(|parameters| OnCurve {
+            parameters,
+            vector: [u, v],
+            w: &w,
         });
         let is_on = value.is_zero()
             && self
@@ -161,11 +161,7 @@ impl<'a> Surface<'a> {
                 .is_none_or(|known| known.have_point([u, v], &w));
         let (exact, deviation) = match radius {
             radius if is_on => (Some(radius.unwrap_or_default()), Deviation::exact()),
-            Some(radius) => distance(
-                &terms,
-                &radius,
-                are_on.as_ref().map(|f| f as &dyn Fn(_) -> _),
-            ),
+            Some(radius) => distance(&terms, &radius, on.as_ref()),
             None => (None, Deviation::infinite()),
         };
         let gradient = self.gradient.each_ref().map(|g| {
@@ -190,9 +186,9 @@ impl<'a> Surface<'a> {
 fn distance(
     terms: &[(usize, Integer)],
     radius: &Rational,
-    are_on: Option<&dyn Fn(Vec<RealRoot>) -> Vec<bool>>,
+    on: Option<&OnCurve<'_>>,
 ) -> (Option<Rational>, Deviation) {
-    let nearest = nearest_to_one(terms, are_on);
+    let nearest = nearest_to_one(terms, on);
     let Some((offset, relative)) = nearest.and_then(|o| o.relative().map(|r| (o, r))) else {
         return (None, Deviation::infinite());
     };

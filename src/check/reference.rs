@@ -95,7 +95,7 @@ impl Reference {
     /// Says which real zeros of the polynomial are points of the reference. It has no radius in every direction if they are not
     /// almost all.
     pub(crate) fn with_parameters(mut self, parameters: RealParameters) -> Self {
-        self.radius = self.radius.filter(|_| parameters.have_simple_zeros());
+        self.radius = self.radius.filter(|_| parameters.have_general_points());
         self.parameters = Some(parameters);
         self
     }
@@ -114,7 +114,7 @@ impl Reference {
     }
 
     /// Which real zeros of the polynomial are points of the reference; without parameters all of them.
-    pub(crate) fn parameters(&self) -> Option<&RealParameters> {
+    pub(super) fn parameters(&self) -> Option<&RealParameters> {
         self.parameters.as_ref()
     }
 

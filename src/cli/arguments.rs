@@ -150,7 +150,7 @@ pub(crate) enum Verb {
   stellate fit wings/*.csv --model elliptic --harmonics 16 -o table.csv
   stellate fit particle.stl --degree 12 -o particle.json")]
     Fit(Fit),
-    /// Certified points: exact directions, all real roots, each the nearest double
+    /// Certified points: exact directions, all real roots r (of a parametric plane curve those that real parameters have), each the nearest double
     #[command(after_help = "Examples:
   stellate sample 'x^4 - x^2 + y^2' --directions 8
   stellate sample f.json --theta 0.5 --theta 219.5deg --positive

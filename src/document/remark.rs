@@ -58,10 +58,10 @@ pub fn remark_text(remark: &Remark) -> String {
             listed(center)
         ),
         Remark::PointsBeyond(count) => format!(
-            "points of the equation that no real parameter has are left out: {count}"
+            "points of the equation that no real parameter of the curve has are left out: {count}"
         ),
         Remark::CurveInLine { theta } => format!(
-            "the curve is in the line at theta = {theta}, of which it may be a part: it has no rows there"
+            "the curve lies in the line at theta = {theta} and may be only a part of it: it has no rows"
         ),
         Remark::WholeLine { theta, phi: None } => format!(
             "the whole line at theta = {theta} belongs to the curve: it has no rows"

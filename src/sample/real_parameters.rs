@@ -92,7 +92,7 @@ impl RealParameters {
     }
 
     /// Whether all zeros of the equation on a line are on the curve if they are simple there.
-    pub(crate) fn have_simple_zeros(&self) -> bool {
+    pub(crate) fn have_general_points(&self) -> bool {
         self.is_general
     }
 
@@ -105,7 +105,7 @@ impl RealParameters {
         zeros.any(|s| is_zero(&x, &s) && is_zero(&y, &s) && !is_zero(&self.common, &s))
     }
 
-    /// The real zeros of f, infinity included. There are none if f is 0 identically.
+    /// The real zeros of f ≠ 0, infinity included.
     fn zeros(&self, f: &IntegerPolynomial) -> Vec<Parameter> {
         let mut zeros: Vec<_> = real_roots(f).into_iter().map(Parameter::Finite).collect();
         if self.sign(f, &Parameter::Infinite) == 0 {

@@ -1,7 +1,7 @@
 //! Comparison of the numbers of a float program with the exact ones, and test vectors for float programs.
 
 use super::equation::{
-    Taken, check_curve, curve_of_superquadric, equation_and_parameters, surface_of_superquadric,
+    Taken, check_curve, curve_of_superquadric, equation_and_coverage, surface_of_superquadric,
     through_equation,
 };
 use super::fit::{exact_form, fit_quietly};
@@ -14,6 +14,7 @@ use crate::check::{
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
+use crate::implicitize::Coverage;
 use crate::language::Numbers;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
@@ -22,6 +23,7 @@ use crate::reading::{
     read_harmonics,
 };
 use crate::rows::{center_of_table, double, listed, words};
+use crate::sample::RealParameters;
 use crate::shape::{Form, HarmonicSurface};
 
 /// More directions of test vectors than this are refused.
@@ -81,6 +83,8 @@ pub struct CheckTask {
     name: String,
     /// Whether the form was given by functions of parameters.
     is_parametric: bool,
+    /// Whether the equation of a parametric plane curve is known to go on where the curve ends.
+    equation_has_more: bool,
     /// The harmonic surface, if the form is one.
     spherical: Option<SphericalReference>,
 }
@@ -120,13 +124,15 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         Form::Harmonic(surface) => Some(SphericalReference::new(surface)),
         _ => None,
     };
-    let mut parameters = None;
+    let (mut parameters, mut equation_has_more) = (None, false);
     let form = match form {
         Form::Superquadric(shape) => Form::Curve(curve_of_superquadric(&shape)?),
         Form::SpaceSuperquadric(shape) => Form::Surface(surface_of_superquadric(&shape)?),
         Form::PlaneCurve(curve) => {
-            let (equation, found) = equation_and_parameters(&curve, work)?;
-            parameters = Some(found);
+            let (equation, coverage) = equation_and_coverage(&curve, work)?;
+            let is_whole = matches!(coverage, Coverage::Whole);
+            parameters = Some(RealParameters::new(&curve, is_whole));
+            equation_has_more = matches!(coverage, Coverage::Part(_));
             Form::Curve(equation)
         }
         other => through_equation(other, work)?,
@@ -153,6 +159,7 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         reference,
         name,
         is_parametric,
+        equation_has_more,
         spherical,
     })
 }
@@ -236,8 +243,7 @@ impl CheckTask {
                 self.reference.check_points(points, work.bounds())
             }),
             FloatNumbers::Radii(radii) => {
-                let parameters = self.reference.parameters();
-                if parameters.is_some_and(|known| !known.have_simple_zeros()) {
+                if self.equation_has_more {
                     work.remark(Remark::EquationHasMore("curve"));
                 }
                 work.stage("check", || self.reference.check_radii(radii, work.bounds()))

@@ -45,6 +45,12 @@ where
     Ok(())
 }
 
+/// Claims without a witness that so many zeros of the equation of a parametric curve, on rays, have no real parameter.
+pub(super) fn claim_left_out(proof: &mut Proof, equation: &PlanePolynomial, count: usize) {
+    let statement = json!({ "equations": [curve_form(proof, equation)], "left_out": count });
+    witness::unproved(proof, "real-image", &statement);
+}
+
 /// Claims all points of rays of a superquadric with these semi-axes, exponents ε and level, without witnesses.
 pub(super) fn claim_superquadric_rays<D: UnitVector<V>, const V: usize>(
     proof: &mut Proof,

@@ -7,7 +7,6 @@ use crate::implicitize::{
     point_beyond,
 };
 use crate::poly::SparsePolynomial;
-use crate::sample::RealParameters;
 use crate::shape::{
     Form, HarmonicSurface, ImplicitCurve, ImplicitSurface, PlaneCurve, SpaceSuperquadric,
     Superquadric,
@@ -55,17 +54,11 @@ pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     })
 }
 
-/// The equation of a parametric plane curve, and which of its real zeros are on the curve.
-pub(super) fn equation_and_parameters(
+/// The equation of a parametric plane curve, and how much of its real zero set the curve is.
+pub(super) fn equation_and_coverage(
     curve: &PlaneCurve,
     work: &Work,
-) -> Result<(ImplicitCurve, RealParameters)> {
-    let (equation, coverage) = equation_and_coverage(curve, work)?;
-    let parameters = RealParameters::new(curve, matches!(coverage, Coverage::Whole));
-    Ok((equation, parameters))
-}
-
-fn equation_and_coverage(curve: &PlaneCurve, work: &Work) -> Result<(ImplicitCurve, Coverage<2>)> {
+) -> Result<(ImplicitCurve, Coverage<2>)> {
     let found = work.stage("implicitize", || implicitize_plane(curve, work.bounds()))?;
     let coverage = coverage(curve, found.tracing_index, work.bounds())?;
     Ok((found.curve, coverage))

@@ -1,9 +1,9 @@
 //! The verb `sample`: certified points of a form.
 
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
-use super::claims::{claim_arcs, claim_rays, claim_superquadric_rays};
+use super::claims::{claim_arcs, claim_left_out, claim_rays, claim_superquadric_rays};
 use super::equation::{
-    Taken, check_surface, equation_and_parameters, implicit_curve, squared_harmonics,
+    Taken, check_surface, equation_and_coverage, implicit_curve, squared_harmonics,
     through_equation,
 };
 use super::fit::exact_form;
@@ -12,6 +12,7 @@ use crate::arcs::IntersectionArcs;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
+use crate::implicitize::Coverage;
 use crate::options::options;
 use crate::parallel;
 use crate::sample::{
@@ -116,8 +117,9 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     let mut parameters = None;
     let form = match fitted.form {
         Form::PlaneCurve(curve) => {
-            let (equation, found) = equation_and_parameters(&curve, work)?;
-            parameters = Some(found);
+            let (equation, coverage) = equation_and_coverage(&curve, work)?;
+            let is_whole = matches!(coverage, Coverage::Whole);
+            parameters = Some(RealParameters::new(&curve, is_whole));
             Form::Curve(equation)
         }
         shape @ (Form::Superquadric(_) | Form::SpaceSuperquadric(_)) => shape,
@@ -180,12 +182,22 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         )
     })?;
     let rays = match &parameters {
-        Some(parameters) => on_the_curve(rays, parameters, &solver, work)?,
+        Some(parameters) => {
+            let (rays, left_out) = on_the_curve(rays, parameters, &solver, options.positive, work)?;
+            if left_out > 0 {
+                work.claim(|proof| {
+                    claim_left_out(proof, curve.polynomial(), left_out);
+                    Ok(())
+                })?;
+                work.remark(Remark::PointsBeyond(left_out));
+            }
+            rays
+        }
         None => rays,
     };
     let rays = kept(rays, options);
     work.remark_center(&center);
-    let are_whole = parameters.is_none_or(|known| known.have_simple_zeros());
+    let are_whole = parameters.is_none_or(|known| known.have_general_points());
     remark_lines(&rays, are_whole, work);
     Ok(Samples {
         points: SampledPoints::Plane { rays, center },
@@ -356,19 +368,21 @@ fn kept<D, const V: usize>(
     rays
 }
 
-/// The points of the equation of a parametric curve that are on the curve, numbered anew.
+/// The points of the equation of a parametric curve that are on the curve, numbered anew, and the number of the others of those that are
+/// asked for.
 fn on_the_curve<P: HomogeneousParts<2> + Sync>(
     mut rays: Vec<SampledRay>,
     parameters: &RealParameters,
     solver: &RaySolver<'_, P, 2>,
+    positive: bool,
     work: &Work,
-) -> Result<Vec<SampledRay>> {
+) -> Result<(Vec<SampledRay>, usize)> {
     let reached = work.stage("parameters", || {
         parallel::try_map(&rays, work.bounds(), |sampled| {
             let Ray::Points(points) = &sampled.ray else {
                 return Ok(Vec::new());
             };
-            if parameters.have_simple_zeros() && points.iter().all(|p| p.multiplicity == 1) {
+            if parameters.have_general_points() && points.iter().all(|p| p.multiplicity == 1) {
                 return Ok(vec![true; points.len()]);
             }
             let roots = solver.exact_distances(&sampled.direction);
@@ -389,13 +403,11 @@ fn on_the_curve<P: HomogeneousParts<2> + Sync>(
             *points = numbered
                 .map(|(branch, (point, _))| Sample { branch, ..point })
                 .collect();
-            left_out += beyond.len();
+            let beyond = beyond.iter().filter(|(p, _)| p.r > 0.0 || !positive);
+            left_out += beyond.count();
         }
     }
-    if left_out > 0 {
-        work.remark(Remark::PointsBeyond(left_out));
-    }
-    Ok(rays)
+    Ok((rays, left_out))
 }
 
 fn solve<D: NominalAngles<V> + Sync, const V: usize>(

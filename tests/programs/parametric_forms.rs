@@ -57,14 +57,14 @@ fn sample_lists_points_of_the_curve_alone() {
     assert_eq!(rows("y^2 = (x-2)*(x-1)^2", "0").len(), 2);
     let note = run(&["sample", isolated, "--theta", "0"], "").err;
     assert!(
-        note.contains("that no real parameter has are left out: 1"),
+        note.contains("that no real parameter of the curve has are left out: 1"),
         "{note}"
     );
     // The limit at infinity closes the circle.
     let circle = "x = (1-t^2)/(1+t^2); y = 2*t/(1+t^2)";
     assert_eq!(rows(circle, "0").len(), 2);
     let line = run(&["sample", "x = cos(t); y = 0", "--theta", "0"], "").err;
-    assert!(line.contains("of which it may be a part"), "{line}");
+    assert!(line.contains("may be only a part of it"), "{line}");
 }
 
 #[test]
