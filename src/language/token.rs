@@ -115,15 +115,31 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
     })
 }
 
-/// Whether a comment starts here: with `#`; with `//` or `%` at the start of a line; or with `//` or `%` between two blanks.
+/// Whether a comment starts here: with `#`; with `//` or `%` at the start of a line; or with `//` or `%` between two blanks, unless an
+/// operand follows, as in `1 // 2`.
 fn is_comment(text: &str, start: u32, line_start: bool) -> bool {
     let (before, rest) = text.split_at(start as usize);
     if rest.starts_with('#') {
         return true;
     }
     let after = rest.strip_prefix("//").or_else(|| rest.strip_prefix('%'));
-    let stands_apart = |after: &str| before.ends_with(' ') && after.starts_with(' ');
+    let stands_apart = |after: &str| {
+        before.ends_with(' ') && after.starts_with(' ') && !begins_with_operand(after)
+    };
     after.is_some_and(|after| line_start || stands_apart(after))
+}
+
+/// Whether a text begins with a number, an opening parenthesis, or a coordinate or parameter of one letter.
+fn begins_with_operand(text: &str) -> bool {
+    let mut rest = text.trim_start().chars();
+    match (rest.next(), rest.next()) {
+        (Some('(' | '.' | '0'..='9'), _) => true,
+        (Some(name), after) => {
+            "xyzrtuv".contains(name.to_ascii_lowercase())
+                && !after.is_some_and(char::is_alphanumeric)
+        }
+        (None, _) => false,
+    }
 }
 
 /// The position of the next character. Texts are shorter than 4 GiB: see [`super::budget::MAX_TEXT_BYTES`].

@@ -24,6 +24,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
         "equations are separated by `;` or a new line",
     ),
     ("x^2 != y", "!=", "an equation has `=`"),
+    ("y = x % 2", "% 2", "unexpected character"),
     ("1.2.3x", ".3x", "a number after a factor"),
     ("2e+x", "2e+", "the exponent after e needs digits"),
     ("x²^3 = y", "^3", "parentheses say what is meant"),

@@ -69,6 +69,8 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("x^2 + y^2 - 1 % the circle", "x^2 + y^2 = 1"),
     ("x**2 + y**2 - 1  # the circle", "x^2 + y^2 = 1"),
     ("x^2 + y^2 - 1 // the circle", "x^2 + y^2 = 1"),
+    ("y = 3x // 2", "y = 3x/2"),
+    ("y = (3 + x^2) // x", "y = (3 + x^2)/x"),
     ("x = np.cos(t); y = np.sin(t)", "x = cos(t); y = sin(t)"),
     ("x = math.cos(t); y = math.sin(t)", "x = cos(t); y = sin(t)"),
     ("r = 1 + np.cos(3*t)/5", "r=1+cos(3t)/5"),
