@@ -432,10 +432,11 @@ fn what_cannot_be_meshed() {
             // Balls that are far apart, compared with their sizes.
             &[
                 "(x^2+y^2+z^2-1)*((x-1000)^2+y^2+z^2-1/1000000)",
+                "--window=-90,1090,-90,90,-90,90",
                 "-o",
                 "m.obj",
             ],
-            "no part of the surface was found, with 64 cells along the longest side of the box; a larger --resolution",
+            "no part of the surface was found in the window, with 64 cells along the longest side of a box; a larger --resolution",
             3,
         ),
         (

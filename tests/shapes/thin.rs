@@ -166,13 +166,17 @@ fn stl_files_have_the_topology_that_is_said() {
 #[test]
 fn edges_that_bend_too_much_are_counted() {
     let folder = tempdir().unwrap();
-    let said = |form: &str| {
-        let run = run_in(folder.path(), &["mesh", form, "-o", "m.obj"], "");
+    let said = |form: &str, window: &[&str]| {
+        let command = [&["mesh", form, "-o", "m.obj"], window].concat();
+        let run = run_in(folder.path(), &command, "");
         assert_eq!(run.code, 0, "{}", run.err);
         run.err.contains("by more than the wanted angle")
     };
-    assert!(!said("x^2+y^2+z^2=1"));
-    assert!(said("(x^2+y^2+z^2-1)*((x-100)^2+y^2+z^2-1)"));
+    assert!(!said("x^2+y^2+z^2=1", &[]));
+    // Apart, the two have cells of their own.
+    let two = "(x^2+y^2+z^2-1)*((x-100)^2+y^2+z^2-1)";
+    assert!(!said(two, &[]));
+    assert!(said(two, &["--window=-9,109,-1.2,1.2,-1.2,1.2"]));
 }
 
 /// The image of a sphere tells the topology of a harmonic surface only where R has one sign.
