@@ -3,7 +3,7 @@
 use super::bounds::{Held, mesh_bounds};
 use super::extent::{BoxSides, joined};
 use super::triangles::Mesh;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::factor::factor_space;
 use crate::limits::Limits;
 use crate::poly::{Ring, SparsePolynomial};
@@ -74,12 +74,9 @@ impl Mesh {
     /// Adds the mesh of a surface that is apart from this one: the boxes that are proved to hold the two are disjoint.
     ///
     /// # Errors
-    /// [`Error::Limit`] for more than 2³² vertices.
+    /// [`crate::error::Error::Limit`] for more than 2³² vertices.
     pub(crate) fn append(&mut self, other: Self) -> Result<()> {
-        let all = self.vertices.len() + other.vertices.len();
-        let first = u32::try_from(self.vertices.len()).ok();
-        let first = first.filter(|_| u32::try_from(all).is_ok());
-        let first = first.ok_or_else(|| Error::limit("2^32 vertices"))?;
+        let first = self.index_of_next(other.vertices.len())?;
         let before = self.triangles.len();
         self.factors
             .extend(other.factors.iter().map(|index| before + index));

@@ -254,11 +254,7 @@ fn add_factor(
         vertices.extend(more);
         triangles.extend(others.into_iter().map(|t| t.map(|v| v + first)));
     }
-    let is_countable = u32::try_from(mesh.vertices.len() + vertices.len()).is_ok();
-    let first = u32::try_from(mesh.vertices.len()).ok();
-    let first = first
-        .filter(|_| is_countable)
-        .ok_or_else(|| Error::limit("2^32 vertices"))?;
+    let first = mesh.index_of_next(vertices.len())?;
     mesh.factors.push(mesh.triangles.len());
     let normals = refine::normals(field, &vertices);
     mesh.bent_edges += refine::bent(&normals, &triangles[..refined], cosine);
@@ -294,6 +290,18 @@ fn marched(field: &Field, grid: &Grid, cells: &[Cell]) -> (Vec<Crossing>, Vec<[u
 }
 
 impl Mesh {
+    /// The index of the first of some vertices that will be added.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if there are more than 2³² vertices then.
+    pub(super) fn index_of_next(&self, more: usize) -> Result<u32> {
+        let before = self.vertices.len();
+        match (u32::try_from(before), u32::try_from(before + more)) {
+            (Ok(first), Ok(_)) => Ok(first),
+            _ => Err(Error::limit("2^32 vertices")),
+        }
+    }
+
     /// Turns the closed pieces whose triangles look inward.
     pub(super) fn turn_outward(&mut self) {
         let (pieces, count) = self.pieces();
