@@ -65,8 +65,11 @@ pub(super) fn nearest_to_one(
     }
     let f = IntegerPolynomial::from_coefficients_asc(dense);
     let mut roots = real_roots(&shift_by_one(f.clone()));
-    let are_simple = || roots.iter().all(|root| root.multiplicity() == 1);
-    if let Some(on) = on.filter(|on| !on.parameters.have_general_points() || !are_simple()) {
+    let have_all = |on: &OnCurve<'_>| {
+        let multiplicities = roots.iter().map(RealRoot::multiplicity);
+        on.parameters.have_all(multiplicities)
+    };
+    if let Some(on) = on.filter(|on| !have_all(on)) {
         let mut reached = on
             .parameters
             .reach(on.vector, on.w, real_roots(&f))

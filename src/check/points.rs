@@ -98,6 +98,17 @@ impl Reference {
         }
         Ok(found)
     }
+
+    /// All zeros of the equation instead of the points of the curve.
+    fn beyond_the_curve(&self) -> Mistaken<SparsePolynomial<3>> {
+        Mistaken {
+            name: "beyond the curve".into(),
+            explanation:
+                "the points are near zeros of the equation that no real parameter of the curve has"
+                    .into(),
+            form: self.polynomial().clone(),
+        }
+    }
 }
 
 fn compare(
@@ -111,19 +122,6 @@ fn compare(
         rows: parallel::try_map(points, limits, |point| Ok(surface.row(point)))?,
         ..Comparison::default()
     })
-}
-
-impl Reference {
-    /// All zeros of the equation instead of the points of the curve.
-    fn beyond_the_curve(&self) -> Mistaken<SparsePolynomial<3>> {
-        Mistaken {
-            name: "beyond the curve".into(),
-            explanation:
-                "the points are near zeros of the equation that no real parameter of the curve has"
-                    .into(),
-            form: self.polynomial().clone(),
-        }
-    }
 }
 
 impl<'a> Surface<'a> {
@@ -156,13 +154,15 @@ impl<'a> Surface<'a> {
             w: &w,
         });
         let is_on = value.is_zero()
-            && self
-                .parameters
-                .is_none_or(|known| known.have_point([u, v], &w));
-        let (exact, deviation) = match radius {
-            radius if is_on => (Some(radius.unwrap_or_default()), Deviation::exact()),
-            Some(radius) => distance(&terms, &radius, on.as_ref()),
-            None => (None, Deviation::infinite()),
+            && on
+                .as_ref()
+                .is_none_or(|on| on.parameters.have_point(on.vector, on.w));
+        let (exact, deviation) = match (radius, is_on) {
+            (Some(radius), true) => (Some(radius), Deviation::exact()),
+            (Some(radius), false) => distance(&terms, &radius, on.as_ref()),
+            // The point is the origin.
+            (None, true) => (Some(Rational::zero()), Deviation::exact()),
+            (None, false) => (None, Deviation::infinite()),
         };
         let gradient = self.gradient.each_ref().map(|g| {
             let terms = along(g, &vector, &w);

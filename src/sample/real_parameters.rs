@@ -64,7 +64,7 @@ impl RealParameters {
         w: &Integer,
         roots: Vec<RealRoot>,
     ) -> Vec<bool> {
-        let is_general = |root: &RealRoot| self.is_general && root.multiplicity() == 1;
+        let is_general = |root: &RealRoot| self.have_all([root.multiplicity()]);
         let mut reached: Vec<bool> = roots.iter().map(is_general).collect();
         if reached.iter().all(|reached| *reached) {
             return reached;
@@ -89,6 +89,12 @@ impl RealParameters {
             *root.invariant("every point of the curve is a zero of its equation") = true;
         }
         reached
+    }
+
+    /// Whether it is known without more work that all zeros of the equation on a line are on the curve, of which these are the
+    /// multiplicities.
+    pub(crate) fn have_all(&self, multiplicities: impl IntoIterator<Item = usize>) -> bool {
+        self.is_general && multiplicities.into_iter().all(|m| m == 1)
     }
 
     /// Whether all zeros of the equation on a line are on the curve if they are simple there.

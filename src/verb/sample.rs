@@ -382,7 +382,7 @@ fn on_the_curve<P: HomogeneousParts<2> + Sync>(
             let Ray::Points(points) = &sampled.ray else {
                 return Ok(Vec::new());
             };
-            if parameters.have_general_points() && points.iter().all(|p| p.multiplicity == 1) {
+            if parameters.have_all(points.iter().map(|p| p.multiplicity)) {
                 return Ok(vec![true; points.len()]);
             }
             let roots = solver.exact_distances(&sampled.direction);
