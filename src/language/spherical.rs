@@ -18,14 +18,11 @@ pub(super) fn surface(
     equations: &[Equation],
     center: Option<Span>,
 ) -> Result<Form> {
-    let mut names = equations.iter().map(|equation| &equation.names);
-    if !names.any(|names| names.any(&[Name::SpaceRadius])) {
-        let mut harmonics = equations
-            .iter()
-            .filter_map(|e| e.names.first(Name::Harmonic));
+    let first = |name| equations.iter().find_map(|e| e.names.first(name));
+    if first(Name::SpaceRadius).is_none() {
         let message = "Y(l, m) is a spherical harmonic, which stands on the right of R = …, as in R = 1 + Y(2,0)/5; \
                        a multiple of the coordinate y is written 2*y";
-        let at = harmonics.next().invariant("R or a harmonic occurs");
+        let at = first(Name::Harmonic).invariant("R or a harmonic occurs");
         return Err(cx.source.error(at, message));
     }
     let [equation] = equations else {
@@ -38,7 +35,7 @@ pub(super) fn surface(
     let formula = match &equation.right {
         Some(right) if equation.left.is_name(Name::SpaceRadius) => right,
         _ => {
-            let at = equation.names.first(Name::SpaceRadius);
+            let at = first(Name::SpaceRadius);
             let message = "R is the radius of a surface and stands alone on the left, as in R = 1 + Y(2,0)/5; \
                            the radius of a plane curve is r";
             return Err(cx.source.error(at.invariant("R occurs"), message));
