@@ -8,6 +8,7 @@ use stellate::sample::Direction;
 use stellate::verb::{ArcSearch, Given, ReadOptions, read_limited};
 
 use super::flags::{ArcFlags, FitFlags, OutlineFlags};
+use super::output::is_one_file;
 use super::session::Session;
 use super::values::Angle;
 
@@ -60,23 +61,18 @@ pub(crate) fn read_all(
 
 /// Refuses to write over a file that is read: an outline would be lost.
 pub(super) fn refuse_output(argument: &str, session: &Session) -> Result<()> {
-    let file = |path: &Path| path.canonicalize().ok().filter(|path| path.is_file());
-    let Some(read) = file(Path::new(argument)) else {
-        return Ok(());
-    };
+    let read = Path::new(argument);
     let written = [("-o", &session.common.output), ("--proof", &session.proof)];
-    for (flag, path) in written {
-        if path
-            .as_deref()
-            .and_then(file)
-            .is_some_and(|path| path == read)
-        {
-            return Err(Error::Usage(format!(
-                "{flag} {argument}: this file is read; write to another one"
-            )));
-        }
+    let over = written.into_iter().find(|(_, path)| {
+        let path = path.as_deref();
+        path.is_some_and(|path| path.is_file() && is_one_file(path, read))
+    });
+    match over {
+        Some((flag, _)) => Err(Error::Usage(format!(
+            "{flag} {argument}: this file is read; write to another one"
+        ))),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 fn options_of(flags: &FitFlags, session: &Session) -> ReadOptions {

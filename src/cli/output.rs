@@ -103,6 +103,15 @@ pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &Session) -> Resu
     })
 }
 
+/// Whether two paths lead to one file, which need not be there yet.
+pub(super) fn is_one_file(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        let in_folder = || Some(folder_of(path).canonicalize().ok()?.join(path.file_name()?));
+        path.canonicalize().ok().or_else(in_folder)
+    };
+    a == b || place(a).is_some_and(|a| place(b) == Some(a))
+}
+
 /// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`, `/dev/stdout`) is written to directly,
 /// because renaming would put a file in its place. Before the renaming the process may be ended from outside; then the
 /// unfinished file is removed.
@@ -144,12 +153,26 @@ fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// Refuses `-o` into a missing folder or onto a folder before any work is done.
+/// Refuses `-o` and a proof into a missing folder, onto a folder, or into one file, before any work is done.
 pub(crate) fn check_destination(session: &Session) -> Result<()> {
-    if let Some(path) = &session.proof {
-        check_place("--proof", path)?;
+    let output = &session.common.output;
+    if let Some(proof) = &session.proof {
+        if proof.as_os_str() == "-" {
+            let message = "--proof -: a proof is written to a file of its own, and the answer to standard output";
+            return Err(Error::Usage(message.into()));
+        }
+        check_place("--proof", proof)?;
+        if output
+            .as_deref()
+            .is_some_and(|path| is_one_file(proof, path))
+        {
+            return Err(Error::Usage(format!(
+                "--proof {}: -o writes to this file; write the proof to another one",
+                proof.display()
+            )));
+        }
     }
-    match &session.common.output {
+    match output {
         Some(path) => check_place("-o", path),
         None => Ok(()),
     }

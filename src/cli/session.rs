@@ -1,6 +1,6 @@
 //! One run of the program: its limits, its notes and the times of its stages.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -39,36 +39,11 @@ pub(crate) struct Session {
     facts: Mutex<Vec<(&'static str, serde_json::Value)>>,
 }
 
-/// Refuses a proof that would be lost among other output.
-fn check_proof(proof: Option<&Path>, output: Option<&Path>) -> Result<()> {
-    let Some(proof) = proof else {
-        return Ok(());
-    };
-    if proof.as_os_str() == "-" {
-        let message =
-            "--proof -: a proof is written to a file of its own, and the answer to standard output";
-        return Err(Error::Usage(message.into()));
-    }
-    // The files may be there already, under other names.
-    let is_same = |output: &Path| {
-        let [a, b] = [proof, output].map(|path| path.canonicalize().ok());
-        proof == output || a.is_some() && a == b
-    };
-    match output {
-        Some(output) if is_same(output) => Err(Error::Usage(format!(
-            "--proof {}: -o writes to this file; write the proof to another one",
-            proof.display()
-        ))),
-        _ => Ok(()),
-    }
-}
-
 impl Session {
     /// Sets up threads, the time limit and Ctrl-C.
     pub(crate) fn new(mut common: Common, proof: Option<PathBuf>) -> Result<Self> {
         // `-o -` means the same as no `-o`.
         common.output = common.output.filter(|path| path.as_os_str() != "-");
-        check_proof(proof.as_deref(), common.output.as_deref())?;
         let mut limits = Limits::none();
         if let Some(time) = common.time_limit {
             limits = limits.with_time_limit(time);

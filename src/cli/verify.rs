@@ -6,6 +6,7 @@ use stellate::error::{Error, Result};
 use stellate::proof::{LONGEST_DOCUMENT, PYTHON_CHECKER, check};
 
 use super::arguments::Verify;
+use super::input::refuse_output;
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
@@ -14,6 +15,7 @@ pub(crate) fn run(flags: &Verify, session: &mut Session) -> Result<()> {
     let Some(name) = &flags.file else {
         return write_result(session, |out| Ok(out.write_all(PYTHON_CHECKER.as_bytes())?));
     };
+    refuse_output(name, session)?;
     let text = session.work.stage("read", || read(name))?;
     let report = session
         .work

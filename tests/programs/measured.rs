@@ -80,6 +80,13 @@ fn samples_are_at_least_twice_as_many_as_vertices() {
     assert!((a0 - 10.0).abs() < 0.01, "{a0}");
 }
 
+/// Runs a command that is wrong use.
+fn refused(folder: &Path, command: &[&str], message: &str) {
+    let run = run_in(folder, command, "");
+    assert_eq!(run.code, 2, "{command:?}");
+    assert!(run.err.contains(message), "{}", run.err);
+}
+
 /// A slip of the hand does not destroy the data.
 #[test]
 fn the_output_is_never_the_input() {
@@ -113,11 +120,10 @@ fn the_output_is_never_the_input() {
         ],
         &["check", "r = 1", "--points", "a.csv", "-o", "./a.csv"],
         &["check", "r = 1", "--radii", "a.csv", "-o", "a.csv"],
+        &["verify", "a.csv", "-o", "a.csv"],
         &["check", "r = 1", "--coefficients", "a.csv", "-o", "a.csv"],
     ] {
-        let run = run_in(folder.path(), arguments, "");
-        assert_eq!(run.code, 2, "{arguments:?}");
-        assert!(run.err.contains("this file is read"), "{}", run.err);
+        refused(folder.path(), arguments, "this file is read");
         assert_eq!(
             fs::read_to_string(folder.path().join("a.csv")).unwrap(),
             rows
@@ -137,9 +143,7 @@ fn a_proof_has_a_file_of_its_own() {
         (["-o", "a.txt", "--proof", "-"], "a file of its own"),
     ] {
         let command = [&["implicitize", "r = 2"], &arguments[..]].concat();
-        let run = run_in(folder.path(), &command, "");
-        assert_eq!(run.code, 2, "{command:?}");
-        assert!(run.err.contains(message), "{}", run.err);
+        refused(folder.path(), &command, message);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 }
