@@ -75,15 +75,7 @@ impl Patch {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::shape::Form;
-
-    fn patch(text: &str) -> Patch {
-        match text.parse() {
-            Ok(Form::Patch(patch)) => patch,
-            other => unreachable!("{other:?}"),
-        }
-    }
+    use super::super::patch_grid::tests::patch;
 
     #[test]
     fn oscillations_have_cells() {

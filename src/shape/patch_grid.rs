@@ -97,11 +97,11 @@ fn restricted(f: &SparsePolynomial<2>, degree: u32, [a, b]: Ratio) -> IntegerPol
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::shape::Form;
 
-    fn patch(text: &str) -> Patch {
+    pub(in crate::shape) fn patch(text: &str) -> Patch {
         match text.parse() {
             Ok(Form::Patch(patch)) => patch,
             other => unreachable!("{other:?}"),
