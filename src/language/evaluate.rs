@@ -14,6 +14,8 @@ pub(super) struct Context<'a> {
     pub(super) source: Source<'a>,
     pub(super) numbers: Numbers,
     pub(super) budget: Budget,
+    /// Whether the form has the origin besides the points of what is written.
+    pub(super) adds_origin: bool,
 }
 
 /// A ring that contains the rational numbers, with the meanings of names and functions in it.
@@ -226,7 +228,8 @@ fn power<A: Algebra>(
         });
     }
     let value = if negative {
-        let message = "a negative exponent; only constants have negative powers here";
+        let message =
+            "a negative exponent of what is no constant; write a quotient, such as 1/x for x^(-1)";
         let inverse = algebra.reciprocal(value);
         inverse.ok_or_else(|| cx.source.error(exponent.span, message))?
     } else {

@@ -66,7 +66,7 @@ pub(super) fn form(
         Some((k, formula)) => {
             let angle = angle(cx, equation)?;
             if k > 1 {
-                polar::equation(cx, formula, k)?
+                polar::equation(cx, equations, formula, k, angle)?
             } else if polar::is_beyond_series(cx, formula)? {
                 if let Some((at, _)) = center {
                     let message = CENTERED;

@@ -22,12 +22,20 @@ pub(super) fn divides(expr: &Expr) -> bool {
             let mut factors = factors.iter();
             factors.any(|(divides, part)| *divides && !part.is_number())
         }
-        ExprKind::Power(base, exponent) => {
-            matches!(exponent.kind, ExprKind::Negative(_)) && !base.is_number()
-        }
+        ExprKind::Power(base, exponent) => subtracts(exponent) && !base.is_number(),
         _ => false,
     };
     is_divisor || expr.children().into_iter().any(divides)
+}
+
+/// Whether something is subtracted in an exponent, which can only then be negative.
+fn subtracts(expr: &Expr) -> bool {
+    let has_minus = match &expr.kind {
+        ExprKind::Negative(_) => true,
+        ExprKind::Sum(parts) => parts.iter().any(|(negative, _)| *negative),
+        _ => false,
+    };
+    has_minus || expr.children().into_iter().any(subtracts)
 }
 
 /// The numerator of left − right in lowest terms, without the factors that it still shares with the denominator, because the

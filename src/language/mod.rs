@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta, or another parameter |
 //! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: any other radius that is rational in cosines and sines of rational multiples of the angle gives the parametric curve (r cos t, r sin t) |
-//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy; k up to 500, harmonics up to 60 |
+//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cosines and sines of rational multiples of the angle: the equation that its points satisfy; k up to 500, harmonics up to 60. It may have the origin besides, as that of `r^2 = 2 + cos(t)` has |
 //! | `R = 1 + Y(2,0)/5`, `R = 1 + sin(phi)^2*cos(2*theta)/5` | a harmonic surface: R is a polynomial in sin φ cos θ, sin φ sin θ and cos φ, or in the harmonics Y(l, m) of [`crate::shape::HarmonicSurface`] |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
@@ -64,6 +64,7 @@
 mod angle;
 mod budget;
 mod coordinates;
+mod divided_angle;
 mod evaluate;
 mod expand;
 mod form;
@@ -74,6 +75,7 @@ mod number;
 mod parser;
 mod plain;
 mod polar;
+mod polar_equation;
 mod polynomial;
 mod quotient;
 mod radius;
@@ -83,6 +85,7 @@ mod superquadric;
 mod syntax;
 mod token;
 mod typed;
+mod whole_angle;
 
 pub use budget::{
     MAX_BITS, MAX_COEFFICIENTS, MAX_DEGREE, MAX_DIGITS, MAX_HARMONIC, MAX_NESTING, MAX_PRODUCTS,
@@ -93,6 +96,7 @@ pub use superquadric::MAX_SUPERQUADRIC_EXPONENT;
 
 pub(crate) use form::{constant_message, implicit, implicit_curve};
 pub(crate) use number::{WrittenCenter, number_at, written_center};
+pub(crate) use plain::with_newlines;
 pub(crate) use superquadric::{check_exponent, of_numbers as superquadric_of};
 
 use crate::error::{Error, Result};
@@ -123,6 +127,15 @@ const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
 /// [`Error::Syntax`] with the place in the text if it is not one of the forms above, if it divides by zero, or if the
 /// polynomial is a constant; [`Error::Limit`] if one of the limits of this module is reached.
 pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
+    parse(text, source_name, numbers).map(|(form, _)| form)
+}
+
+/// Reads a formula as [`parse_form`] does, and says whether the form has the origin although what is written has not: every
+/// polynomial that is 0 on the curve `r^2 = 2 + cos(t)` is 0 at the origin, too.
+///
+/// # Errors
+/// Those of [`parse_form`].
+pub(crate) fn parse(text: &str, source_name: &str, numbers: Numbers) -> Result<(Form, bool)> {
     check_size(text, source_name)?;
     let text = plain::plain(text);
     let source = source::Source {
@@ -130,23 +143,25 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
         text: &text,
     };
     if let Some(shape) = superquadric::superquadric(source, numbers)? {
-        return Ok(shape);
+        return Ok((shape, false));
     }
     let tokens = token::tokenize(source)?;
     let understood = typed::understood(source, &tokens.tokens)?;
     let mut equations = parser::parse(source, &understood)?;
     equations.iter_mut().for_each(syntax::Equation::turn);
+    let mut context = evaluate::Context {
+        source,
+        numbers,
+        budget: budget::Budget::new(),
+        adds_origin: false,
+    };
     let in_space = |e: &syntax::Equation| {
         e.names
             .any(&[name::Name::SpaceRadius, name::Name::Harmonic])
     };
     if equations.iter().any(in_space) {
-        let mut context = evaluate::Context {
-            source,
-            numbers,
-            budget: budget::Budget::new(),
-        };
-        return spherical::surface(&mut context, &equations, tokens.center);
+        let form = spherical::surface(&mut context, &equations, tokens.center)?;
+        return Ok((form, false));
     }
     let center = match tokens.center {
         None => None,
@@ -155,12 +170,8 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
             Some((at, point.map_err(|message| source.error(at, message))?))
         }
     };
-    let mut context = evaluate::Context {
-        source,
-        numbers,
-        budget: budget::Budget::new(),
-    };
-    form::form(&mut context, &equations, center)
+    let form = form::form(&mut context, &equations, center)?;
+    Ok((form, context.adds_origin))
 }
 
 /// Refuses a text beyond [`MAX_TEXT_BYTES`].

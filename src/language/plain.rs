@@ -10,7 +10,10 @@ use super::token::SUPERSCRIPTS;
 ///
 /// The replacements are those of Unicode (NFKC; only with the feature `unicode`) and some more. Superscripts are kept, because x² is not x2.
 pub(super) fn plain(text: &str) -> Cow<'_, str> {
-    let text = unquoted(text);
+    let text = match with_newlines(text) {
+        Cow::Borrowed(text) => unquoted(text),
+        Cow::Owned(text) => Cow::Owned(unquoted(&text).into_owned()),
+    };
     if text.is_ascii() {
         return text;
     }
@@ -36,6 +39,26 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
             '½' | '⅓' | '⅔' | '¼' | '¾' | '⅕'..='⅞' => result.push(c),
             _ => result.extend(compatible(c)),
         }
+    }
+    Cow::Owned(result)
+}
+
+/// The text in which every character that ends a line, as Unicode has them, is a newline. Two of these end a line together, the
+/// carriage return and the line feed; there only the second one does.
+pub(crate) fn with_newlines(text: &str) -> Cow<'_, str> {
+    const ENDS: [char; 6] = ['\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}'];
+    if !text.contains(ENDS) {
+        return Cow::Borrowed(text);
+    }
+    let mut rest = text.chars().peekable();
+    let mut result = String::with_capacity(text.len());
+    while let Some(c) = rest.next() {
+        let is_first_of_two = c == '\r' && rest.peek() == Some(&'\n');
+        result.push(match c {
+            _ if is_first_of_two => ' ',
+            _ if ENDS.contains(&c) => '\n',
+            _ => c,
+        });
     }
     Cow::Owned(result)
 }
@@ -91,6 +114,7 @@ mod tests {
             ("\"x\" = \"y\"", "\"x\" = \"y\""),
             ("x\u{a0}− 1", "x - 1"),
             ("ϑ + ϕ", "θ + φ"),
+            ("x\r\ny\rz\u{2028}1\u{85}2\u{c}3", "x \ny\nz\n1\n2\n3"),
         ];
         for (text, expected) in cases {
             assert_eq!(plain(text), expected, "{text}");

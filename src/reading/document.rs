@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
+use super::json::read_json;
 use super::node::{Node, NodePath};
 use super::superquadric::read_superquadric;
 use crate::error::{Error, Result};
@@ -12,7 +13,7 @@ use crate::exact::Rational;
 use crate::language::{
     MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, parse_form,
 };
-use crate::poly::SparsePolynomial;
+use crate::poly::{SparsePolynomial, total_degree};
 use crate::shape::{EllipticSeries, Form, FourierRadius, HarmonicSurface};
 
 /// Reads the form of a JSON document.
@@ -37,14 +38,12 @@ use crate::shape::{EllipticSeries, Form, FourierRadius, HarmonicSurface};
 /// ```
 ///
 /// # Errors
-/// [`Error::Syntax`] if the text is not JSON; [`Error::Data`] with the place if a field is missing or
+/// [`Error::Syntax`] if the text is not JSON, or has a field twice; [`Error::Data`] with the place if a field is missing or
 /// wrong, or if the kind is another one; [`Error::Limit`] beyond the limits of
 /// [`crate::language`].
 pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
     check_size(text, source_name)?;
-    let body = text.trim_start_matches('\u{feff}');
-    let value: Value = serde_json::from_str(body)
-        .map_err(|error| not_json(&error, text, source_name, text.len() - body.len()))?;
+    let value = read_json(text, source_name)?;
     let root = Node {
         value: &value,
         place: NodePath::Root(source_name),
@@ -183,25 +182,6 @@ fn read_coordinates(
     }
 }
 
-fn not_json(error: &serde_json::Error, text: &str, source_name: &str, skipped: usize) -> Error {
-    let before: usize = text[skipped..]
-        .split_inclusive('\n')
-        .take(error.line().saturating_sub(1))
-        .map(str::len)
-        .sum();
-    let message = error.to_string();
-    let reason = message.split(" at line ").next().unwrap_or(&message);
-    Error::Syntax {
-        message: match error.is_eof() {
-            true => "not a JSON document: it ends here, in the middle, so it was cut off".into(),
-            false => format!("not a JSON document: {reason}"),
-        },
-        source_name: source_name.into(),
-        text: text.into(),
-        at: skipped + before + error.column().saturating_sub(1),
-    }
-}
-
 fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str) -> Result<Form> {
     let variables = root.field(object, "variables")?;
     let names: Vec<Option<&str>> = variables.array()?.iter().map(Value::as_str).collect();
@@ -238,6 +218,7 @@ fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str
     if let Some(value) = polynomial.as_constant() {
         return Err(terms.wrong(constant_message(&value)));
     }
+    check_degrees(root, object, &polynomial)?;
     let center = root.center(object)?;
     implicit(
         polynomial,
@@ -246,6 +227,27 @@ fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str
         source_name,
         |node, message| node.wrong(message),
     )
+}
+
+/// Refuses the degree and the degrees of the homogeneous parts that a document states, if its terms have others.
+fn check_degrees(
+    root: &Node<'_>,
+    object: &Map<String, Value>,
+    polynomial: &SparsePolynomial<3>,
+) -> Result<()> {
+    let degrees: BTreeSet<u64> = polynomial.terms().map(|(e, _)| total_degree(e)).collect();
+    let descending: Vec<u64> = degrees.into_iter().rev().collect();
+    let stated = [
+        ("degree", Value::from(descending.first().copied())),
+        ("homogeneous_degrees", Value::from(descending)),
+    ];
+    for (name, value) in stated {
+        if object.get(name).is_some_and(|stated| *stated != value) {
+            let node = root.field(object, name)?;
+            return Err(node.wrong(format!("the terms of this document have {value} here")));
+        }
+    }
+    Ok(())
 }
 
 fn read_spherical(node: &Node<'_>) -> Result<HarmonicSurface> {

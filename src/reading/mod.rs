@@ -3,6 +3,7 @@
 mod bytes;
 mod document;
 mod harmonics;
+mod json;
 mod matrix;
 mod mesh;
 mod node;
@@ -21,8 +22,8 @@ pub use norm::Normalization;
 pub(crate) use table::{Table, is_elliptic_header};
 pub use table::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv};
 
-use crate::error::Result;
-use crate::language::{Numbers, parse_form};
+use crate::error::{Error, Result};
+use crate::language::{Numbers, parse, parse_form, with_newlines};
 use crate::shape::Form;
 
 /// The value of the field `schema` of every JSON document.
@@ -51,13 +52,54 @@ pub(crate) const PARAMETRIZES: &str = "parametrizes:";
 /// # Errors
 /// Those of [`read_document`] or of [`parse_form`].
 pub fn read_text(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
-    if is_document(text) {
-        read_document(text, source_name, numbers)
-    } else if let Some(form) = parametrized_form(text) {
-        parse_form(&form, source_name, numbers)
+    read_written(text, source_name, numbers).map(|written| written.form)
+}
+
+/// A form that was read from a text, and how it differs from what is written there.
+pub(crate) struct Written {
+    pub(crate) form: Form,
+    /// The form as a comment names it, if the formula beside the comment is another form.
+    pub(crate) comment: Option<String>,
+    /// Whether the form has the origin besides the points of what is written.
+    pub(crate) adds_origin: bool,
+}
+
+/// Reads a form as [`read_text`] does.
+///
+/// # Errors
+/// Those of [`read_text`]; [`Error::Data`] if an equation of another form stands beside the comment, because `parametrize` writes
+/// none.
+pub(crate) fn read_written(text: &str, source_name: &str, numbers: Numbers) -> Result<Written> {
+    let mut comment = None;
+    let (form, adds_origin) = if is_document(text) {
+        (read_document(text, source_name, numbers)?, false)
+    } else if let Some(named) = parametrized_form(&with_newlines(text)) {
+        let (form, adds_origin) = parse(&named, source_name, numbers)?;
+        let beside = parse_form(text, source_name, numbers);
+        match beside.ok().filter(|beside| *beside != form) {
+            None => {}
+            Some(Form::Curve(_) | Form::Surface(_) | Form::Intersection(_)) => {
+                let message = format!(
+                    "a comment names the form, with `{PARAMETRIZES}`, and beside it there is an equation of another form; \
+                     delete one of them"
+                );
+                return Err(Error::data(source_name, message));
+            }
+            Some(_) => {
+                let lines = named.lines().map(str::trim);
+                let lines = lines.filter(|line| !line.is_empty() && !line.starts_with('#'));
+                comment = Some(lines.collect());
+            }
+        }
+        (form, adds_origin)
     } else {
-        parse_form(text, source_name, numbers)
-    }
+        parse(text, source_name, numbers)?
+    };
+    Ok(Written {
+        form,
+        comment,
+        adds_origin,
+    })
 }
 
 /// Whether the text is a JSON document: an object has a name in quotes first, while `{t^2, t^3}` is a list of coordinates.

@@ -8,11 +8,11 @@ use crate::fit::{
     ContourKind, LeftOut, OutlineOptions, cloud_from_reader, is_geojson, outline_from_reader,
     outlines_from_reader,
 };
-use crate::language::Numbers;
+use crate::language::{Numbers, with_newlines};
 use crate::options::options;
 use crate::reading::{
-    HarmonicConvention, read_coefficients_csv, read_elliptic_csv, read_fourier_csv, read_harmonics,
-    read_text,
+    HarmonicConvention, Written, read_coefficients_csv, read_elliptic_csv, read_fourier_csv,
+    read_harmonics, read_written,
 };
 use crate::shape::{Contour, Form, PointCloud};
 
@@ -140,7 +140,7 @@ impl Given {
         if names_a_file(path) {
             return Self::from_path_with(path, options, work);
         }
-        Self::formula(argument, options)
+        Self::formula(argument, options, work)
     }
 
     /// Reads all outlines of a file, the largest first; any other argument is one input. Nothing is remarked: what each leaves
@@ -159,7 +159,11 @@ impl Given {
     pub fn read_all_with(argument: &str, options: &ReadOptions) -> Result<Vec<Result<Self>>> {
         let path = Path::new(argument);
         if !names_a_file(path) {
-            return Ok(vec![Ok(Self::formula(argument, options)?)]);
+            return Ok(vec![Ok(Self::formula(
+                argument,
+                options,
+                &Work::default(),
+            )?)]);
         }
         refuse_name(path)?;
         let place = path.display().to_string();
@@ -179,11 +183,12 @@ impl Given {
         Source::new(reader, None, place)?.all_given(place, options)
     }
 
-    fn formula(argument: &str, options: &ReadOptions) -> Result<Self> {
+    fn formula(argument: &str, options: &ReadOptions, work: &Work) -> Result<Self> {
         options.check_form()?;
         options.check_no_harmonics()?;
-        let form = read_text(argument, "<form>", options.numbers);
-        let form = form.map_err(|error| folder_instead(Path::new(argument), error))?;
+        let written = read_written(argument, "<form>", options.numbers);
+        let written = written.map_err(|error| folder_instead(Path::new(argument), error))?;
+        let form = remarked(written, work);
         Ok(Self::new(argument.trim(), Content::Exact(form)))
     }
 
@@ -381,9 +386,13 @@ impl<'a, R: Read> Source<'a, R> {
     /// What is no outline by its first bytes: an exact form, or else GeoJSON.
     fn exact(self, held: Held, options: &ReadOptions, work: &Work) -> Result<Exact> {
         let (place, numbers) = (self.place, options.numbers);
-        let text = read_limited(self.all(), place)?;
-        if held == Held::Text && is_geojson(&text) {
-            return Ok(Exact::Polygons(text));
+        let mut text = read_limited(self.all(), place)?;
+        if held == Held::Text {
+            if is_geojson(&text) {
+                return Ok(Exact::Polygons(text));
+            }
+        } else {
+            text = with_newlines(&text).into_owned();
         }
         options.check_form()?;
         if !matches!(held, Held::Harmonics(_)) {
@@ -400,12 +409,24 @@ impl<'a, R: Read> Source<'a, R> {
             Held::Coefficients => read_coefficients_csv(&text, place, numbers)?,
             Held::Fourier => Form::Fourier(read_fourier_csv(&text, place, numbers)?),
             Held::Elliptic => {
-                Form::PlaneCurve(read_elliptic_csv(&text, place, numbers)?.to_plane_curve())
+                let series = read_elliptic_csv(&text, place, numbers)?;
+                Form::PlaneCurve(series.to_plane_curve())
             }
-            Held::Outline(_) | Held::Text => read_text(&text, place, numbers)?,
+            Held::Outline(_) | Held::Text => remarked(read_written(&text, place, numbers)?, work),
         };
         Ok(Exact::Form(form))
     }
+}
+
+/// The form that was read, with remarks on how it differs from what is written.
+fn remarked(written: Written, work: &Work) -> Form {
+    if let Some(form) = written.comment {
+        work.remark(Remark::FormOfComment(form));
+    }
+    if written.adds_origin {
+        work.remark(Remark::OriginAdded);
+    }
+    written.form
 }
 
 /// What a text turned out to be.

@@ -32,6 +32,10 @@ pub enum Remark {
         /// What was read, and how.
         read: ReadHarmonics,
     },
+    /// The form is this one, which a comment of the text names, and not the radius beside the comment.
+    FormOfComment(String),
+    /// The form is an equation that has the origin, and the curve that is written, by a power of its radius, has not.
+    OriginAdded,
     /// A contour is not star-shaped about the center.
     Hidden {
         /// Where the contour came from.

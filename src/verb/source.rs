@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::foreign::{is_foreign, refuse_beginning};
 use crate::error::{Error, Result};
 use crate::fit::ContourKind;
-use crate::language::MAX_TEXT_BYTES;
+use crate::language::{MAX_TEXT_BYTES, with_newlines};
 use crate::reading::{HarmonicLayout, bytes_within, is_elliptic_header, layout_of_header};
 use crate::rows::{double, words};
 
@@ -69,6 +69,7 @@ pub(super) fn held(
     refuse_beginning(head, place)?;
     refuse_utf16(head, place)?;
     let text = String::from_utf8_lossy(head);
+    let text = with_newlines(&text);
     let text = text.trim_start_matches('\u{feff}').trim_start();
     if text.starts_with('<') {
         return Ok(Held::Outline(Drawing));

@@ -134,9 +134,9 @@ fn what_is_refused_names_what_would_be_right() {
         ("r^(1/2) = 1 + cos(t)", "(1/2)", "as r^2"),
         ("r^0 = cos(t)", "0", "as r^2"),
         (
-            "r^2 = 2 + cos(t)",
-            "2 + cos(t)",
-            "give the equation in x and y",
+            "r^2 = -2 + cos(t/2)",
+            "-2 + cos(t/2)",
+            "negative at every angle",
         ),
         (
             "r^2 = 2*cos(2t) - 3",
@@ -149,7 +149,6 @@ fn what_is_refused_names_what_would_be_right() {
             "divide both by their common factor",
         ),
         ("r^2 = 0*cos(t)", "0*", "only the origin"),
-        ("r^2 = cos(t/2)", "t/2", "an integer multiple of the angle"),
         (
             "r = 1/(cos(t) - cos(t))",
             "(cos(t) - cos",
