@@ -87,7 +87,7 @@ pub struct TestVectors {
     pub coefficients: Vec<CoefficientVector>,
     /// The radii at the angles 2πk/K, which are computed in doubles; none if the curve has no Fourier radius.
     pub radii: Vec<RadiusVector>,
-    /// All points of the zero set in K directions.
+    /// All points of the form in K directions.
     pub points: Vec<PointVector>,
 }
 
@@ -153,7 +153,7 @@ pub fn test_vectors(
         center: reference.center().to_vec(),
         coefficients: coefficients(&polynomial, given, inputs_of)?,
         radii: radius.map_or_else(Vec::new, |radius| radii(&radius, directions)),
-        points: points(&polynomial, reference.in_space(), directions, limits)?,
+        points: points(&polynomial, reference, directions, limits)?,
         rounded: rounding.count,
         inputs,
     })
@@ -257,12 +257,12 @@ fn radii(radius: &FourierRadius, directions: usize) -> Vec<RadiusVector> {
 
 fn points(
     f: &SparsePolynomial<3>,
-    in_space: bool,
+    reference: &Reference,
     count: usize,
     limits: &Limits,
 ) -> Result<Vec<PointVector>> {
     let conditions = RootConditions::new(f);
-    if in_space {
+    if reference.in_space() {
         let surface = SpacePolynomial::from(f);
         let solver = RaySolver::new(&surface);
         let directions = SpaceDirection::fibonacci(count);
@@ -277,7 +277,12 @@ fn points(
     let solver = RaySolver::new(&plane);
     all_points(&Direction::around(count), limits, |d| {
         let ([u, v], w) = d.over_common_denominator();
-        on_ray(solver.solve(d), &[u, v, Integer::from(0)], &w, &conditions)
+        let mut ray = solver.solve(d);
+        if let (Ray::Points(samples), Some(parameters)) = (&mut ray, reference.parameters()) {
+            let mut on_curve = parameters.have(samples, &solver, d).into_iter();
+            samples.retain(|_| on_curve.next() == Some(true));
+        }
+        on_ray(ray, &[u, v, Integer::from(0)], &w, &conditions)
     })
 }
 

@@ -2,6 +2,7 @@
 
 use malachite::Integer;
 
+use super::{Direction, HomogeneousParts, IntegerVector, RaySolver, Sample};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, divide_exactly, integer_sign, polynomial_gcd, scaled};
@@ -88,6 +89,25 @@ impl RealParameters {
             let root = index.checked_sub(1).and_then(|i| reached.get_mut(i));
             *root.invariant("every point of the curve is a zero of its equation") = true;
         }
+        reached
+    }
+
+    /// Which of all the samples that the solver of the equation finds in a direction are points of the curve.
+    pub(crate) fn have<P: HomogeneousParts<2>>(
+        &self,
+        samples: &[Sample],
+        solver: &RaySolver<'_, P, 2>,
+        direction: &Direction,
+    ) -> Vec<bool> {
+        if self.have_all(samples.iter().map(|sample| sample.multiplicity)) {
+            return vec![true; samples.len()];
+        }
+        let roots = solver.exact_distances(direction);
+        let mut roots = roots.invariant("only a whole line has no distances");
+        roots.reverse();
+        let ([u, v], w) = direction.over_common_denominator();
+        let mut reached = self.reach([&u, &v], &w, roots);
+        reached.reverse();
         reached
     }
 

@@ -9,15 +9,15 @@ use super::equation::{
 use super::fit::exact_form;
 use super::{CoordinatesFrom, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
-use crate::error::{Error, Invariant, Result};
+use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::Coverage;
 use crate::options::options;
 use crate::parallel;
 use crate::sample::{
-    Direction, HomogeneousParts, IntegerVector, NominalAngles, Ray, RaySolver, RealParameters,
-    Sample, SampledRay, SpaceDirection, StageCounts, harmonic_ray, solve_radial,
+    Direction, HomogeneousParts, NominalAngles, Ray, RaySolver, RealParameters, Sample, SampledRay,
+    SpaceDirection, StageCounts, harmonic_ray, solve_radial,
 };
 use crate::shape::{Form, HarmonicPair, HarmonicSurface, ImplicitSurface};
 use crate::witness::{curve_form, surface_form};
@@ -379,19 +379,10 @@ fn on_the_curve<P: HomogeneousParts<2> + Sync>(
 ) -> Result<(Vec<SampledRay>, usize)> {
     let reached = work.stage("parameters", || {
         parallel::try_map(&rays, work.bounds(), |sampled| {
-            let Ray::Points(points) = &sampled.ray else {
-                return Ok(Vec::new());
-            };
-            if parameters.have_all(points.iter().map(|p| p.multiplicity)) {
-                return Ok(vec![true; points.len()]);
-            }
-            let roots = solver.exact_distances(&sampled.direction);
-            let mut roots = roots.invariant("only a whole line has no distances");
-            roots.reverse();
-            let ([u, v], w) = sampled.direction.over_common_denominator();
-            let mut reached = parameters.reach([&u, &v], &w, roots);
-            reached.reverse();
-            Ok(reached)
+            Ok(match &sampled.ray {
+                Ray::Points(points) => parameters.have(points, solver, &sampled.direction),
+                Ray::Line => Vec::new(),
+            })
         })
     })?;
     let mut left_out = 0;
