@@ -37,6 +37,22 @@ impl Parameter {
         }
     }
 
+    /// Whether the parameter takes this value of s in a range, up to rounding. Without a range it takes all values, a number only
+    /// finite ones.
+    pub(super) fn meets(&self, range: Option<[f64; 2]>, [above, below]: Ratio) -> bool {
+        match (self.step(), range) {
+            (None, _) if below == 0.0 => false,
+            (_, None) => true,
+            (None, Some([low, high])) => low <= above / below && above / below <= high,
+            (Some(step), Some([low, high])) => {
+                let period = std::f64::consts::TAU / step.to_f64();
+                let value = above.atan2(below) / std::f64::consts::PI * period;
+                let next = value + ((low - value) / period).ceil() * period;
+                next <= high
+            }
+        }
+    }
+
     /// s for a value of the parameter, as a ratio: for an angle of the coordinates of a unit vector, for a number exactly and of
     /// numbers of which the larger is between 1/2 and 1.
     pub(super) fn ratio(&self, value: f64) -> Ratio {

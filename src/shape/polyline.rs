@@ -5,7 +5,7 @@ use malachite::base::polynomial::Derivative;
 
 use super::ParametricCurve;
 use super::curve_values::CurveValues;
-use super::drawn::DRAWN_NUMBERS;
+use super::drawn::{DRAWN_NUMBERS, Ratio};
 use super::parameter::Parameter;
 use crate::error::Invariant;
 use crate::poly::{IntegerPolynomial, RationalFunction};
@@ -82,11 +82,9 @@ impl<const N: usize> ParametricCurve<N> {
     /// Whether no coordinate has a real pole or a pole at infinity; this is decided exactly.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
-        self.coordinates().iter().all(|f| {
-            let degree = |p: &IntegerPolynomial| p.coefficients_asc().len();
-            degree(f.numerator()) <= degree(f.denominator())
-                && real_roots(f.denominator()).is_empty()
-        })
+        self.coordinates()
+            .iter()
+            .all(|f| !has_pole_at_infinity(f) && real_roots(f.denominator()).is_empty())
     }
 }
 
@@ -97,6 +95,8 @@ struct DrawnCurve<'a, const N: usize> {
     /// The degree of the coordinates.
     degree: usize,
     is_bounded: bool,
+    /// The values of s at the poles of each coordinate.
+    poles: [Vec<Ratio>; N],
     /// The values of a number, in the range, at which a coordinate has an extremum. Between them all coordinates are monotone, so that
     /// no part of the curve is outside the box of two neighbors. There are none for an angle, nor beyond some degree.
     turns: Vec<f64>,
@@ -120,6 +120,7 @@ impl<'a, const N: usize> DrawnCurve<'a, N> {
             values: CurveValues::of(curve),
             degree,
             is_bounded: curve.is_bounded(),
+            poles: curve.coordinates().each_ref().map(poles),
             turns: if has_turns {
                 turns(curve.coordinates(), range)
             } else {
@@ -141,9 +142,9 @@ impl<'a, const N: usize> DrawnCurve<'a, N> {
             &[]
         };
         let lines = self.cut_at_poles(self.sampled(range, BOX_POINTS, more));
-        // Near poles the curve goes to infinity; then the largest and smallest values are left out.
-        let has_poles = !self.is_bounded && lines.len() > 1;
-        box_around(&lines.concat(), [has_poles; N])
+        // Near its poles a coordinate goes to infinity; then its largest and smallest values are left out.
+        let has_pole = |poles: &Vec<Ratio>| poles.iter().any(|s| self.parameter.meets(range, *s));
+        box_around(&lines.concat(), self.poles.each_ref().map(has_pole))
     }
 
     /// Points at values of the parameter over the range, `count` of them or more for many oscillations, and at `more` values, in
@@ -235,6 +236,20 @@ impl<const N: usize> Drawn<N> {
     }
 }
 
+/// The real values of s at the poles of a coordinate, the infinite one included.
+fn poles(f: &RationalFunction) -> Vec<Ratio> {
+    let roots = real_roots(f.denominator()).into_iter();
+    let mut poles: Vec<Ratio> = roots.map(|root| [root.to_f64(), 1.0]).collect();
+    if has_pole_at_infinity(f) {
+        poles.push([1.0, 0.0]);
+    }
+    poles
+}
+
+fn has_pole_at_infinity(f: &RationalFunction) -> bool {
+    f.numerator().coefficients_asc().len() > f.denominator().coefficients_asc().len()
+}
+
 /// The values of a number, in the range, at which the derivative of a coordinate is 0.
 fn turns<const N: usize>(coordinates: &[RationalFunction; N], range: Option<[f64; 2]>) -> Vec<f64> {
     let slopes = coordinates.iter().map(|f| {
@@ -309,6 +324,35 @@ mod tests {
         // The box shows the middle of the hyperbola, not the parts that go to infinity.
         let [x, y] = hyperbola.extent(None).unwrap();
         assert!(x[1] < 3.0 && y[1] < 40.0, "{x:?} {y:?}");
+    }
+
+    #[test]
+    fn the_box_leaves_out_what_is_near_poles() {
+        // Poles of even and of odd order, at drawn values of the parameter and beside them; the second coordinate may have none.
+        for (text, range, least, most) in [
+            ("r = 1/(1-cos(t))", None, 1.0, 500.0),
+            ("r = 1/(1+cos(t))", None, 1.0, 500.0),
+            ("x = tan(t/2)^2; y = 100*sin(t)", None, 100.0, 500.0),
+            ("x = 1/(3*t-1)^2; y = t", None, 1.0, 2000.0),
+            ("x = 1/(3*t-1); y = t", None, 1.0, 2000.0),
+            // No pole is in the range, so all of the curve is in the box.
+            ("r = 1/(1-cos(t))", Some([0.1, 3.0]), 199.0, 201.0),
+            ("r = 1/(1-cos(t))", Some([-6.1, -3.0]), 59.0, 60.5),
+            ("x = 1/t; y = t", Some([0.01, 1.0]), 99.0, 100.0),
+            ("x = 1/t; y = t", None, 1.0, 500.0),
+        ] {
+            let extent = curve(text).extent(range).unwrap();
+            let size = extent
+                .iter()
+                .map(|[low, high]| high - low)
+                .fold(0.0, f64::max);
+            assert!((least..=most).contains(&size), "{text}: {extent:?}");
+        }
+        let [_, y] = curve("x = 1/(1+cos(t)); y = sin(t)").extent(None).unwrap();
+        assert!(
+            (y[0] + 1.0).abs() < 1e-4 && (y[1] - 1.0).abs() < 1e-4,
+            "{y:?}"
+        );
     }
 
     #[test]
