@@ -91,6 +91,10 @@ impl Annotations {
             }
             Fact::RealTracing { counts, complex } => self.real_tracing(counts.as_deref(), *complex),
             Fact::BeyondCurve(beyond) => self.beyond_curve(beyond),
+            Fact::TopologyOfEquation => self.note(
+                "the components, their extents, singular points and asymptotes are those of the equation, which has more real \
+                 points than the curve",
+            ),
             Fact::BeyondPatch(found) => self.beyond_patch(found.as_ref()),
             Fact::Polar {
                 theorem,

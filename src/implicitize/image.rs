@@ -15,7 +15,7 @@ use super::tracing::{common_numerator, tracing_index_bound};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, polynomial_gcd};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, polynomial_gcd, scaled};
 use crate::roots::{RealRoot, between, disjoint, real_roots};
 use crate::shape::ParametricCurve;
 
@@ -41,7 +41,7 @@ pub enum Coverage<const N: usize> {
     /// All of the curve except finitely many points.
     Whole,
     /// Only a part of the curve: at these parameter values (doubles near the exact ones, infinite for s = ∞) the
-    /// parametrization turns back, and the curve goes on beyond them.
+    /// parametrization turns back, and the curve goes on beyond them, where no parameter value reaches it.
     Part(Vec<f64>),
     /// It was not decided.
     Unknown,
@@ -152,7 +152,11 @@ pub(crate) fn traced_once<const N: usize>(
     let m =
         generator.invariant("two coefficients of the common numerator have no constant quotient");
     // Its degree is the tracing index.
-    if m.degree() % 2 == 1 || counts_by_value(&m, limits)?.contains(&0) {
+    if m.degree() % 2 == 1
+        || counts_by_value(&m, limits)?
+            .iter()
+            .any(|(_, count)| *count == 0)
+    {
         return Ok(None);
     }
     let once = in_terms_of(coordinates, &m, limits)?;
@@ -187,12 +191,15 @@ fn values_taken<const N: usize>(
         };
         return Ok((coverage, None));
     };
-    let coverage = if counts.contains(&0) {
-        Coverage::Part(turning_points(m))
+    let coverage = if counts.iter().any(|(_, count)| *count == 0) {
+        Coverage::Part(turning_points(m, &counts))
     } else {
         Coverage::Whole
     };
-    Ok((coverage, Some(counts)))
+    Ok((
+        coverage,
+        Some(counts.into_iter().map(|(_, count)| count).collect()),
+    ))
 }
 
 /// The coordinates as functions of m, which generates the field of all functions of the point.
@@ -229,11 +236,11 @@ fn approached<const N: usize>(curve: &ParametricCurve<N>) -> Option<[Rational; N
 }
 
 /// The numbers of real s, infinity included, with m(s) = v, for general real values v. The number is constant between two
-/// neighbouring critical values; the set of these numbers may contain 0.
+/// neighbouring critical values; each number, which may be 0, stands beside a value v between them, in ascending order.
 ///
 /// The critical values are the zeros v of the resultant of the Wronskian p′q − p q′ and p − v q, and perhaps m(∞). Between two
 /// of them the real roots of p − v q are counted at one rational v.
-fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usize>> {
+fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<Vec<(Rational, usize)>> {
     let (p, q) = (m.numerator(), m.denominator());
     // The coefficients of the powers of s are polynomials in v.
     let fibre = (0..=m.degree()).map(|k| {
@@ -259,12 +266,13 @@ fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usi
             "a function has finitely many critical values",
         ));
     }
-    let mut counts = BTreeSet::new();
-    for v in between(&disjoint(real_roots(&critical))) {
+    let values = between(&disjoint(real_roots(&critical))).into_iter();
+    let counted = values.map(|v| {
         limits.check()?;
-        counts.insert(real_roots(m.plus_constant(&-v).numerator()).len());
-    }
-    Ok(counts)
+        let count = real_roots(m.plus_constant(&-v.clone()).numerator()).len();
+        Ok((v, count))
+    });
+    counted.collect()
 }
 
 /// The Wronskian p′q − p q′.
@@ -273,18 +281,42 @@ fn wronskian(m: &RationalFunction) -> IntegerPolynomial {
     derivative(p) * q - p * derivative(q)
 }
 
-/// The values of s at which m turns back, as doubles near the exact ones, infinite for s = ∞.
-fn turning_points(m: &RationalFunction) -> Vec<f64> {
+/// The values of s at which m turns back and beyond which there are values that it does not take, as doubles near the exact ones,
+/// infinite for s = ∞. The counts are those of [`counts_by_value`].
+fn turning_points(m: &RationalFunction, counts: &[(Rational, usize)]) -> Vec<f64> {
+    // A critical value is between two of the values; at a pole, where m is infinite, these are the last and the first one.
+    let is_end = |value_is_above: &dyn Fn(&Rational) -> bool, is_pole: bool| {
+        let above = match is_pole {
+            true => 0,
+            false => counts.partition_point(|(v, _)| value_is_above(v)),
+        };
+        let below = above.checked_sub(1).unwrap_or(counts.len() - 1);
+        let mut beside = [counts.get(above), counts.get(below)].into_iter().flatten();
+        beside.any(|(_, count)| *count == 0)
+    };
+    let (p, q) = (m.numerator(), m.denominator());
+    let is_end_at = |s: &RealRoot| {
+        let sign = s.sign_of(q);
+        let is_above = |v: &Rational| {
+            let difference = scaled(p, &v.denominator()) - scaled(q, &v.numerator());
+            s.sign_of(&difference) * sign > 0
+        };
+        is_end(&is_above, sign == 0)
+    };
     let wronskian = wronskian(m);
     let degree = wronskian.coefficients_asc().len().saturating_sub(1);
     let mut turns: Vec<f64> = real_roots(&wronskian)
         .iter()
-        .filter(|root| root.multiplicity() % 2 == 1)
+        .filter(|root| root.multiplicity() % 2 == 1 && is_end_at(root))
         .map(RealRoot::to_f64)
         .collect();
     // The Wronskian is a form of degree 2k − 2; it vanishes at infinity if its degree in s is smaller.
     if (2 * m.degree() - 2 - degree) % 2 == 1 {
-        turns.push(f64::INFINITY);
+        let value = m.evaluate_at_infinity();
+        let is_above = |v: &Rational| value.as_ref().is_some_and(|value| value > v);
+        if is_end(&is_above, value.is_none()) {
+            turns.push(f64::INFINITY);
+        }
     }
     turns
 }

@@ -150,6 +150,11 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
         let found = topology_of(&form, &description, is_rational, work)?;
         if found.topology.is_none() {
             facts.push(Fact::Missing(Part::Topology));
+        } else if facts
+            .iter()
+            .any(|fact| matches!(fact, Fact::BeyondCurve(beyond) if beyond.has_more()))
+        {
+            facts.push(Fact::TopologyOfEquation);
         }
         work.claim(|proof| {
             claim_topology(proof, &form, &found);

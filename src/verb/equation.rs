@@ -4,7 +4,7 @@ use super::{Remark, Work};
 use crate::error::{Error, Result};
 use crate::implicitize::{
     Coverage, SquaredForm, SquaredHarmonics, coverage, implicitize_patch, implicitize_plane,
-    point_beyond,
+    point_beyond, real_image,
 };
 use crate::poly::SparsePolynomial;
 use crate::shape::{
@@ -29,15 +29,17 @@ impl Taken {
 }
 
 /// The implicit form of a parametric curve or patch, or of a harmonic surface, relative to its center. Other forms are returned
-/// unchanged. A remark says if the equation is known to have more points than the form, except for isolated ones.
+/// unchanged. A remark says if the equation is known to have more points than the form.
 pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     Ok(match form {
         Form::PlaneCurve(curve) => {
-            let (equation, coverage) = equation_and_coverage(&curve, work)?;
-            if matches!(coverage, Coverage::Part(_)) {
+            let found = work.stage("implicitize", || implicitize_plane(&curve, work.bounds()))?;
+            let image = real_image(&curve, found.tracing_index, work.bounds())?;
+            let has_part = matches!(image.coverage, Coverage::Part(_));
+            if has_part || !image.isolated.points.is_empty() {
                 work.remark(Remark::EquationHasMore("curve"));
             }
-            Form::Curve(equation)
+            Form::Curve(found.curve)
         }
         Form::Patch(patch) => {
             let found = work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?;

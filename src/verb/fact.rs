@@ -55,6 +55,8 @@ pub enum Fact {
     },
     /// The points of the zero set of a curve that no real parameter value reaches.
     BeyondCurve(BeyondCurve),
+    /// The topology is that of the equation of a curve, which has more points than the curve.
+    TopologyOfEquation,
     /// A point of the zero set that is not on the patch, or `None` if none was found.
     BeyondPatch(Option<PointBeyond>),
     /// The result of Theorem 1 or of Theorem 4.
@@ -102,6 +104,13 @@ pub struct BeyondCurve {
     pub isolated: Vec<IsolatedPoint>,
     /// Whether `isolated` holds all isolated real points.
     pub are_all: bool,
+}
+
+impl BeyondCurve {
+    /// Whether the equation is known to have a part or an isolated point beyond the curve.
+    pub(crate) fn has_more(&self) -> bool {
+        matches!(self.reach, Reach::TurnsBack(_)) || !self.isolated.is_empty()
+    }
 }
 
 /// The part of the real curve that real parameter values reach.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::common::program::{Run, done, run_in};
+use crate::common::program::{Run, done, json, run_in};
 
 const PATCH: &str = "x = cos(u)*cos(v); y = sin(u)*cos(v); z = cos(v)^2";
 /// y = x² between x = −1 and 1.
@@ -88,4 +88,70 @@ fn check_measures_points_from_the_curve_itself() {
     // A segment on the x axis, all of which is in a line through the origin.
     assert_eq!(check("x = cos(t); y = 0", "0.5,0\n-1,0\n0,0\n").code, 0);
     assert_eq!(check("x = cos(t); y = 0", "3,0\n").code, 1);
+}
+
+/// Of some curves real parameters reach only a part of the zero set, and of others an isolated point is missing.
+#[test]
+fn what_is_answered_for_the_equation_says_so() {
+    let remark = "this is the answer for the equation, which has points that are not on the curve";
+    let note = "are those of the equation, which has more real points than the curve";
+    for (form, has_more) in [
+        ("x = 3; y = cos(t)", true),
+        ("x = t^2; y = t^3 + t", true),
+        ("x = t^2 + 1; y = t^3 + t", true),
+        ("x = cos(t); y = sin(2t)", false),
+        ("x = t^2; y = t^3", false),
+    ] {
+        let run = run_in(Path::new("."), &["parametrize", form], "");
+        assert_eq!(run.code, 0, "{form}: {}", run.err);
+        assert_eq!(run.err.contains(remark), has_more, "{form}: {}", run.err);
+        let text = done(&["describe", "--topology", form]);
+        assert_eq!(text.contains(note), has_more, "{form}: {text}");
+    }
+}
+
+#[test]
+fn vectors_of_a_curve_are_points_of_the_curve() {
+    for (form, within) in [
+        ("x = 3; y = cos(t)", [[3.0, 3.0], [-1.0, 1.0]]),
+        ("x = cos(t); y = cos(t)^2", [[-1.0, 1.0], [0.0, 1.0]]),
+        // The equation has the isolated point (-1, 0).
+        ("x = t^2; y = t^3 + t", [[0.0, 1e9], [-1e9, 1e9]]),
+    ] {
+        let document = json(&done(&["vectors", form, "--directions", "16"]));
+        let points = document["points"].as_array().unwrap();
+        assert!(!points.is_empty(), "{form}");
+        for point in points {
+            for (k, [low, high]) in within.into_iter().enumerate() {
+                let value = point["position"][k]["double"].as_f64().unwrap();
+                assert!((low..=high).contains(&value), "{form}: {point}");
+            }
+        }
+    }
+}
+
+#[test]
+fn turning_points_are_where_the_curve_goes_on() {
+    for (form, points) in [
+        // c^3 - c of a cosine c takes values between the extrema at 1/sqrt(3), and some of them several times.
+        (
+            "x = cos(t)^3 - cos(t); y = (cos(t)^3 - cos(t))^2",
+            "turn back at ≈ (-0.3849001794597505, 0.14814814814814814) and ≈ (0.3849001794597505, 0.14814814814814814), the",
+        ),
+        (
+            "x = 3; y = cos(t)",
+            "turn back at ≈ (3, -1) and ≈ (3, 1), the",
+        ),
+        (
+            "x = t^2; y = t^4",
+            "turn back at infinity and ≈ (0, 0), the",
+        ),
+        (
+            "x = 1/(1-cos(t)); y = 1",
+            "turn back at infinity and ≈ (0.5, 1), the",
+        ),
+    ] {
+        let text = done(&["implicitize", form]);
+        assert!(text.contains(points), "{form}: {text}");
+    }
 }
