@@ -65,6 +65,8 @@ pub struct CurveInspector<const N: usize> {
     guess: Arc<Guess<N>>,
     starts: Arc<[(f64, [f64; N])]>,
     size: f64,
+    /// A point in the middle of the curve, relative to the center, and the distance of most points from it.
+    spread: ([f64; N], f64),
     center: [Rational; N],
     tolerance: Tolerance,
     /// Bounds of a distance may differ by this part of it.
@@ -141,8 +143,9 @@ impl<const N: usize> CurveInspector<N> {
                 "no point of the curve is within the range of doubles".into(),
             ));
         }
-        let mut sizes: Vec<f64> = starts.iter().map(|(_, p)| norm(p)).collect();
-        sizes.sort_unstable_by(f64::total_cmp);
+        let points = || starts.iter().map(|(_, point)| point);
+        let middle = std::array::from_fn(|i| median(points().map(|p| p[i])));
+        let from_middle = |p: &[f64; N]| norm::<N>(&std::array::from_fn(|i| p[i] - middle[i]));
         let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
             arcs: series
@@ -151,7 +154,8 @@ impl<const N: usize> CurveInspector<N> {
             forms: Arc::new(DistanceForms::new(curve)),
             coordinates: Arc::new(curve.coordinates().clone()),
             guess: Arc::new(guess),
-            size: sizes[sizes.len() / 2],
+            size: median(points().map(norm)),
+            spread: (middle, median(points().map(from_middle))),
             starts: starts.into(),
             center,
             tolerance: Tolerance::new(&options.tolerance)?,
@@ -422,13 +426,14 @@ impl<const N: usize> CurveInspector<N> {
         (best, Some(s))
     }
 
-    pub(super) fn center(&self) -> &[Rational; N] {
+    pub(crate) fn center(&self) -> &[Rational; N] {
         &self.center
     }
 
-    /// The size of the curve, about.
-    pub(crate) fn size(&self) -> f64 {
-        self.size
+    /// About the size of the curve itself near a point of it, relative to the center: however far away the curve is from there.
+    pub(crate) fn size_near(&self, point: &[f64; N]) -> f64 {
+        let (middle, size) = &self.spread;
+        norm::<N>(&std::array::from_fn(|i| point[i] - middle[i])).max(*size)
     }
 
     pub(super) fn guess(&self) -> &Guess<N> {
@@ -455,11 +460,18 @@ impl<const N: usize> CurveInspector<N> {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "counts of points are small")]
+/// The number in the middle of numbers, of which there is at least one.
+fn median(numbers: impl Iterator<Item = f64>) -> f64 {
+    let mut numbers: Vec<f64> = numbers.collect();
+    let middle = numbers.len() / 2;
+    *numbers.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
 fn part(k: usize, count: usize) -> f64 {
     k as f64 / count as f64
 }
 
-fn norm(point: &[f64]) -> f64 {
+fn norm<const N: usize>(point: &[f64; N]) -> f64 {
     point.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 

@@ -163,10 +163,15 @@ impl PatchInspector {
         point_near(&self.shape.doubles, at)
     }
 
+    /// The exact point of the patch near two angles.
+    pub(super) fn exact_point(&self, at: [f64; 2]) -> Option<[Rational; 3]> {
+        let [s, t] = at.map(|angle| Rational::try_from((angle / 2.0).tan()).ok());
+        self.shape.patch.point(&[s?, t?])
+    }
+
     /// The exact squared distance between a point and the point of the patch at two angles.
     fn exactly(&self, at: [f64; 2], point: &[Rational; 3]) -> Option<Rational> {
-        let [s, t] = at.map(|angle| Rational::try_from((angle / 2.0).tan()).ok());
-        let q = self.shape.patch.point(&[s?, t?])?;
+        let q = self.exact_point(at)?;
         let differences = q.iter().zip(point).map(|(a, b)| a - b);
         Some(differences.fold(Rational::zero(), |sum, d| sum + &d * &d))
     }

@@ -6,8 +6,12 @@ use crate::exact::Rational;
 use crate::inspect::{Foot, FootCandidate, Inspection, PlanePoint, unit};
 use crate::intervals::rational;
 
-/// A point so near to a curve, in parts of the size of the coordinates, that the direction to it does not tell the side.
+/// A point so near to a curve, in parts of the size of the curve, that the direction to it does not tell the side.
 const NEAR: f64 = 1e-6;
+/// A point so near to a curve, in parts of the coordinates, that their rounding changes the direction to it.
+const ROUNDED: f64 = 1e-12;
+/// Two points that far from the curve, in parts of its size, may be on the wrong sides of it.
+const FAR: f64 = 1e-2;
 
 impl InspectionTask {
     /// The nearest point of the form to a point, in original coordinates, and the unit normal of the form there; in the plane z is 0.
@@ -82,18 +86,25 @@ impl AgainstPlaneCurve {
         normal: [f64; 2],
         found: &Inspection,
     ) -> Option<f64> {
-        let size = foot.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let center = self.curve.center().each_ref().map(Rational::to_f64);
+        let own = self
+            .curve
+            .size_near(&[foot[0] - center[0], foot[1] - center[1]]);
+        // Far from the origin the coordinates of the foot are rounded.
+        let step = (NEAR * own).max(ROUNDED * foot[0].abs().max(foot[1].abs()));
         let length = away[0].hypot(away[1]);
         let dot = |u: [f64; 2]| u[0] * normal[0] + u[1] * normal[1];
         if let Some(sign) = found.sign.filter(|sign| *sign != 0)
-            && length > NEAR * size
+            && length > step
         {
             // The segment from the foot to the point is on one side.
             let along = f64::from(sign) * dot(unit(away)?);
             return (along.abs() > 0.5).then(|| along.signum());
         }
         let sides = self.sides.as_ref()?;
-        let step = NEAR * size.max(self.curve.size());
+        if step > FAR * own {
+            return None;
+        }
         let beside = |sense: f64| {
             let near = [0, 1].map(|i| foot[i] + sense * step * normal[i]);
             let exactly = || near.map(rational);

@@ -169,3 +169,35 @@ fn a_foot_that_is_not_found_is_counted() {
         run.err
     );
 }
+
+/// Moving a form and a point changes neither the distance nor the normal.
+#[test]
+fn normals_are_known_far_from_the_origin() {
+    for (at_origin, moved, [near, far]) in [
+        (
+            "r = 2 + cos(3t)/5",
+            "# center: 500000, 5400000\nr = 2 + cos(3t)/5",
+            ["1.5,2.5", "500001.5,5400002.5"],
+        ),
+        (
+            "x = cos(t); y = sin(t)",
+            "x = 20000000 + cos(t); y = sin(t)",
+            ["0.75,1.5", "20000000.75,1.5"],
+        ),
+        (
+            "x = (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)",
+            "x = 200000 + (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)",
+            ["2,2.5,0.25", "200002,2.5,0.25"],
+        ),
+    ] {
+        let [here, there] = [(at_origin, near), (moved, far)]
+            .map(|(form, point)| document(form, "1", point).0["points"][0]["foot"].clone());
+        let normals = [&here, &there].map(|foot| {
+            let list = foot["normal"].as_array().unwrap().iter();
+            list.map(|x| x.as_f64().unwrap()).collect::<Vec<_>>()
+        });
+        for (a, b) in normals[0].iter().zip(&normals[1]) {
+            assert!((a - b).abs() < 1e-8, "{moved}: {normals:?}");
+        }
+    }
+}

@@ -4,7 +4,7 @@ use super::{length_of, unit};
 use crate::exact::{Dyadic, Rational};
 use crate::inspect::curve::CurveInspector;
 use crate::inspect::guess::Guess;
-use crate::intervals::{largest, rational};
+use crate::intervals::rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, numerator_at};
 
 use malachite::Integer;
@@ -42,7 +42,7 @@ impl<const N: usize> CurveInspector<N> {
             _ => self.exactly(&relative, start)?,
         };
         let speed = length_of(&derivative);
-        let size = largest(&at).max(self.size());
+        let size = self.size_near(&at);
         Some(CurveFoot {
             point: std::array::from_fn(|i| (rational(at[i]) + &self.center()[i]).to_f64()),
             tangent: (speed > SINGULAR * size)

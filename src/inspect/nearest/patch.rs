@@ -3,7 +3,7 @@
 use super::{FootCandidate, SINGULAR, after_steps, length_of, unit};
 use crate::exact::Rational;
 use crate::inspect::patch::PatchInspector;
-use crate::intervals::{dot, largest};
+use crate::intervals::dot;
 use crate::shape::cross;
 
 /// The step of the quotients of differences for first derivatives; their errors are about its fourth power.
@@ -21,9 +21,14 @@ impl PatchInspector {
             self.newton_step(at, &p)
         });
         let q = self.near(at)?;
-        let [u, v] = [self.slope(at, 0)?, self.slope(at, 1)?];
+        let [u, v] = [self.exact_slope(at, 0)?, self.exact_slope(at, 1)?];
         let across = cross(u, v);
-        let size = largest(&q).max(length_of(&u)).max(length_of(&v));
+        // The size of the patch itself, however far from the origin it is.
+        let beside = [[1.0, 0.0], [0.0, 1.0], [2.0, 2.0]];
+        let beside = beside.map(|[a, b]| self.near([at[0] + a, at[1] + b]));
+        let away = |p: [f64; 3]| length_of(&[0, 1, 2].map(|i| p[i] - q[i]));
+        let sizes = beside.into_iter().flatten().map(away);
+        let size = sizes.fold(length_of(&u).max(length_of(&v)), f64::max);
         let normal = (length_of(&across) > SINGULAR * size * size)
             .then(|| unit(across))
             .flatten();
@@ -55,13 +60,33 @@ impl PatchInspector {
 
     /// The derivative by one of the angles.
     fn slope(&self, at: [f64; 2], variable: usize) -> Option<[f64; 3]> {
-        let beside = |by: f64| {
-            let mut there = at;
-            there[variable] += by;
-            self.near(there)
-        };
-        let [a, b] = [beside(STEP)?, beside(-STEP)?];
-        let [c, d] = [beside(2.0 * STEP)?, beside(-2.0 * STEP)?];
-        Some([0, 1, 2].map(|i| (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * STEP)))
+        slope(at, variable, |from, to| {
+            let [from, to] = [self.near(from)?, self.near(to)?];
+            Some([0, 1, 2].map(|i| to[i] - from[i]))
+        })
     }
+
+    /// The derivative by one of the angles, from differences of exact points, which lose no digits far from the origin.
+    fn exact_slope(&self, at: [f64; 2], variable: usize) -> Option<[f64; 3]> {
+        slope(at, variable, |from, to| {
+            let [from, to] = [self.exact_point(from)?, self.exact_point(to)?];
+            Some([0, 1, 2].map(|i| (&to[i] - &from[i]).to_f64()))
+        })
+    }
+}
+
+/// The derivative by one of two angles of what has these differences between two places.
+fn slope(
+    at: [f64; 2],
+    variable: usize,
+    difference: impl Fn([f64; 2], [f64; 2]) -> Option<[f64; 3]>,
+) -> Option<[f64; 3]> {
+    let beside = |by: f64| {
+        let mut there = at;
+        there[variable] += by;
+        there
+    };
+    let near = difference(beside(-STEP), beside(STEP))?;
+    let far = difference(beside(-2.0 * STEP), beside(2.0 * STEP))?;
+    Some([0, 1, 2].map(|i| (8.0 * near[i] - far[i]) / (12.0 * STEP)))
 }
