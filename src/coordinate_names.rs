@@ -43,7 +43,7 @@ pub(crate) struct CoordinatePlaces {
 ///
 /// # Errors
 /// The message if several columns may be one of the coordinates, if only one of them is named, or if the columns are angles and radii.
-fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlaces>, String> {
+pub(crate) fn coordinates_among(names: &[&str]) -> Result<Option<CoordinatePlaces>, String> {
     for [x, y, z] in FAMILIES {
         if let (Some(x), Some(y)) = (any_place_of(names, x), any_place_of(names, y)) {
             let z = any_place_of(names, z).map(Candidates::one).transpose()?;

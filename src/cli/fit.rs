@@ -37,10 +37,11 @@ pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     write_result(session, |out| write_fit(&fit, format, out))
 }
 
-/// One row for each outline.
+/// One row for each outline. Those that reach a limit have none and are named; the others are written first.
 fn table(flags: &Fit, session: &Session) -> Result<()> {
     Kind::FitTable.check(session.format_or(Format::Csv))?;
     let mut rows = Vec::new();
+    let mut without_row = Vec::new();
     for argument in &flags.contours {
         let outlines = if flags.all {
             all_outlines(argument, flags, session)?
@@ -49,15 +50,28 @@ fn table(flags: &Fit, session: &Session) -> Result<()> {
             vec![(flags.fit.outline.blob, given)]
         };
         for (blob, given) in outlines {
-            let fit = fit_of(given, flags, session)?;
-            rows.push(FittedOutline {
-                file: argument.clone(),
-                blob,
-                fit,
-            });
+            let name = given.whole_name();
+            match fit_of(given, flags, session) {
+                Ok(fit) => rows.push(FittedOutline {
+                    file: argument.clone(),
+                    blob,
+                    fit,
+                }),
+                Err(Error::Limit { limit, .. }) => without_row.push(format!("{name}: {limit}")),
+                Err(error) => return Err(error),
+            }
         }
     }
-    write_result(session, |out| write_fit_table(&rows, out))
+    if !rows.is_empty() {
+        write_result(session, |out| write_fit_table(&rows, out))?;
+    }
+    match without_row[..] {
+        [] => Ok(()),
+        _ => Err(Error::Limit {
+            limit: without_row.join("; "),
+            finished: format!("rows of other outlines: {}", rows.len()),
+        }),
+    }
 }
 
 /// All outlines of a file that can be fitted, each with its number; a note names the others.

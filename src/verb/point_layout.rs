@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use smallvec::SmallVec;
 
-use crate::coordinate_names::coordinates_in_first_row;
+use crate::coordinate_names::{coordinates_among, coordinates_in_first_row};
 use crate::error::Invariant;
 use crate::exact::{Rational, double_literal, exact_literal};
 use crate::language::Numbers;
@@ -68,6 +68,10 @@ impl PointLayout {
                 others: others.map(|k| (k, names[k].to_owned())).collect(),
             });
         }
+        // A header that names fewer columns than there are does not say which of them are the coordinates.
+        if (2..count).contains(&names.len()) && !matches!(coordinates_among(&names), Ok(None)) {
+            return Err(found_beside_names(count, names.len()));
+        }
         match count {
             2 | 3 => Ok(Self {
                 separator,
@@ -107,10 +111,12 @@ impl PointLayout {
         let fields: SmallVec<[&str; 4]> = self.separator.split(text).collect();
         let count = filled(&fields);
         if ![count, fields.len()].contains(&self.width) {
-            let found = columns_text(count);
             return Err(match self.is_named {
-                true => format!("found {found}; the first row names {}", self.width),
-                false => format!("found {found}; each row must be {}", self.expected()),
+                true => found_beside_names(count, self.width),
+                false => {
+                    let found = columns_text(count);
+                    format!("found {found}; each row must be {}", self.expected())
+                }
             });
         }
         let mut row = Row {
@@ -141,6 +147,11 @@ impl PointLayout {
         }
         Cow::Borrowed(field)
     }
+}
+
+/// The message for a row with so many columns below a header that names another number of them.
+fn found_beside_names(count: usize, named: usize) -> String {
+    format!("found {}; the first row names {named}", columns_text(count))
 }
 
 /// The text of a field in which quotation marks are doubled.
@@ -246,6 +257,16 @@ mod tests {
                 "found 2 columns; each row must be x,y,z",
             ),
             (Some("x,y,z"), "1,2,b", "\"b\" is not a number"),
+            (
+                Some("x,y"),
+                "1,5,0",
+                "found 3 columns; the first row names 2",
+            ),
+            (
+                Some("y x"),
+                "1 1.5 0",
+                "found 3 columns; the first row names 2",
+            ),
             (Some("theta,r"), "1,2", "angles and radii"),
             (
                 Some("x_nom,y_nom,x_meas,y_meas"),

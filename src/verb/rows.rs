@@ -227,18 +227,23 @@ impl Batch<'_> {
                     return Err(Error::data(place, message + &self.what_stands()));
                 }
                 Some(error) => return Err(error),
-                None if chunk.is_empty() && self.is_empty() => {
-                    return Err(Error::data(place, "there are no points in it"));
+                None if chunk.is_empty() && self.summary.points() == 0 => {
+                    let skipped = match self.summary.bad {
+                        0 => String::new(),
+                        bad => {
+                            format!("; rows that are no points: {bad}, all of which were skipped")
+                        }
+                    };
+                    return Err(Error::data(
+                        place,
+                        format!("there are no points in it{skipped}"),
+                    ));
                 }
                 None if chunk.is_empty() => return Ok(()),
                 None => {}
             }
             progress.add(bytes);
         }
-    }
-
-    fn is_empty(&self) -> bool {
-        self.summary.points() + self.summary.bad == 0
     }
 
     fn chunk(&mut self, rows: &[(usize, String)], place: &str, out: &mut dyn Write) -> Result<()> {

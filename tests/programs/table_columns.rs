@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::common::program::{Run, with_data};
+use crate::common::program::{Run, run_in, with_data};
 
 fn inspected(table: &str, form: &str) -> Run {
     let arguments = ["inspect", form, "--tolerance=0.1", "--points=data.csv"];
@@ -117,4 +117,55 @@ fn check_takes_units_but_no_degrees() {
         "{}",
         run.err
     );
+}
+
+#[test]
+fn names_of_fewer_columns_than_there_are_do_not_say_which_are_coordinates() {
+    // Row names of R have no header, and commas may be decimal points.
+    for table in ["x y\n1 1.5 0\n2 1 0\n", "x,y\n1,5,0\n", "y,x\n0,1.5,0\n"] {
+        let run = inspected(table, "x^2 + y^2 + z^2 = 1");
+        assert_eq!(run.code, 2, "{table}: {}", run.out);
+        let expected = "row 2: found 3 columns; the first row names 2";
+        assert!(run.err.contains(expected), "{table}: {}", run.err);
+    }
+}
+
+#[test]
+fn a_table_of_rows_that_are_all_skipped_has_no_points() {
+    let arguments = [
+        "inspect",
+        "r = 1",
+        "--tolerance=1",
+        "--points=data.csv",
+        "--skip-bad",
+    ];
+    let run = with_data("x,y\nn/a,1\n,2\n", &arguments);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    let expected = "no points in it; rows that are no points: 2";
+    assert!(run.err.contains(expected), "{}", run.err);
+}
+
+#[test]
+fn rows_of_outlines_that_are_finished_are_written_at_a_limit() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let circle: String = (0..100)
+        .map(|k| f64::from(k) * std::f64::consts::TAU / 100.0)
+        .map(|t| format!("{},{}\n", t.cos(), t.sin()))
+        .collect();
+    std::fs::write(folder.path().join("circle.csv"), circle).unwrap();
+    std::fs::write(folder.path().join("square.csv"), "1,1\n-1,1\n-1,-1\n1,-1\n").unwrap();
+    for files in [["circle.csv", "square.csv"], ["square.csv", "circle.csv"]] {
+        let mut arguments = vec!["fit"];
+        arguments.extend(files);
+        arguments.extend(["--tolerance", "0.001", "--decimals", "3"]);
+        let run = run_in(folder.path(), &arguments, "");
+        assert_eq!(run.code, 3, "{}", run.err);
+        assert!(run.err.contains("square"), "{}", run.err);
+        assert!(!run.err.contains("circle"), "{}", run.err);
+        let rows: Vec<&str> = run.out.lines().skip(1).collect();
+        assert!(
+            rows.len() == 1 && rows[0].starts_with("circle.csv,"),
+            "{rows:?}"
+        );
+    }
 }
