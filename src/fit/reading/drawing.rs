@@ -11,7 +11,7 @@ use super::cut::{Piece, cut};
 use super::rings::{Ring, Rings, is_inside, signed_area};
 use super::rows::MAX_ROWS;
 use super::svg_path::{Subpath, subpaths};
-use super::svg_style::Styles;
+use super::svg_style::{Look, Styles};
 use super::viewport::{Along, Viewport};
 use super::{ContourKind, LeftOut, counted};
 use crate::error::{Error, Result};
@@ -36,8 +36,8 @@ struct Pending<'a, 'input> {
     /// The element that uses this one, and how many do so around it.
     used: Option<Node<'a, 'input>>,
     uses: usize,
-    /// Whether what is around it can be seen.
-    is_visible: bool,
+    /// How what is around it is drawn.
+    look: Look,
 }
 
 /// What has been found.
@@ -50,6 +50,8 @@ struct Drawing {
     open: usize,
     /// The number of closed paths whose signed area is 0.
     flat: usize,
+    /// The number of elements with paths that have no paint.
+    unpainted: usize,
     texts: usize,
     pictures: usize,
 }
@@ -110,7 +112,7 @@ impl Drawing {
             port,
             used: None,
             uses: 0,
-            is_visible: true,
+            look: Look::INITIAL,
         }];
         let mut elements = 0;
         while let Some(next) = pending.pop() {
@@ -147,7 +149,7 @@ impl Drawing {
         if !is_of_svg(node) || !style.is_displayed() {
             return Ok(());
         }
-        let is_visible = style.visibility().unwrap_or(next.is_visible);
+        let look = style.look(next.look);
         let port = next.port.transformed(&style.placement()?)?;
         let mut open = |port: Viewport| {
             let mut all = node.children().filter(Node::is_element);
@@ -161,7 +163,7 @@ impl Drawing {
                 port,
                 used: None,
                 uses: next.uses,
-                is_visible,
+                look,
             }));
         };
         match node.tag_name().name() {
@@ -185,15 +187,22 @@ impl Drawing {
                         node: target,
                         port: port.moved(Affine::translate((x, y))),
                         used: Some(node),
-                        is_visible,
+                        look,
                         uses: next.uses + 1,
                     });
                 }
             }
-            _ if !is_visible => {}
+            _ if !look.is_visible => {}
             "text" => self.texts += 1,
             "image" => self.pictures += 1,
-            _ => self.take(shape(node, &port)?, port.to_outline)?,
+            _ => {
+                let subpaths = shape(node, &port)?;
+                if look.paints() {
+                    self.take(subpaths, port.to_outline)?;
+                } else {
+                    self.unpainted += usize::from(!subpaths.is_empty());
+                }
+            }
         }
         Ok(())
     }
@@ -230,6 +239,11 @@ impl Drawing {
                 self.flat,
                 "closed path whose signed area is 0, which crosses itself or is a line",
                 "closed paths whose signed areas are 0, which cross themselves or are lines",
+            ),
+            counted(
+                self.unpainted,
+                "shape without fill and stroke",
+                "shapes without fill and stroke",
             ),
             counted(self.texts, "text", "texts"),
             counted(self.pictures, "picture", "pictures"),

@@ -209,6 +209,30 @@ fn styles_say_what_is_drawn_and_where() {
             [78.0, 82.0, 38.0, 42.0],
         ),
         (
+            format!(r#"{rect} style="fill:none"/>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(r#"<g fill="none" stroke="none">{rect}/></g>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(r#"{rect} fill="rgba(1, 2, 3, 0)"/>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(r#"{rect} fill-opacity="0" stroke="red" stroke-width="0px"/>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(r#"<style>.b{{fill:none; stroke:#000}}</style>{rect} class="b"/>{small}"#),
+            [10.0, 20.0, 30.0, 40.0],
+        ),
+        (
+            format!(r#"<g fill="none">{rect} fill="url(#a)"/></g>{small}"#),
+            [10.0, 20.0, 30.0, 40.0],
+        ),
+        (
             format!(r#"{rect} opacity="0.5"/>{small}"#),
             [10.0, 20.0, 30.0, 40.0],
         ),

@@ -4,24 +4,54 @@ use roxmltree::{Document, Node};
 use simplecss::{
     AttributeOperator, Declaration, DeclarationTokenizer, Element, PseudoClass, StyleSheet,
 };
-use svgtypes::{Length, LengthUnit};
+use svgtypes::{Length, LengthUnit, Paint};
 
 /// Properties that move a shape in ways that are not read.
 const NOT_READ: [&str; 4] = ["translate", "rotate", "scale", "transform-box"];
 
 /// Properties that are read.
-const READ: [&str; 5] = [
+const READ: [&str; 10] = [
     "display",
     "visibility",
     "opacity",
+    "fill",
+    "fill-opacity",
+    "stroke",
+    "stroke-opacity",
+    "stroke-width",
     "transform",
     "transform-origin",
 ];
-/// The largest number of rules that hide or move shapes: each is compared with every element.
-const MAX_RULES: usize = 200;
+/// The largest number of rules that paint, hide or move shapes: each is compared with every element.
+const MAX_RULES: usize = 1000;
 
-/// The rules of a drawing's style sheets that hide or move shapes.
+/// The rules of a drawing's style sheets that paint, hide or move shapes.
 pub(super) struct Styles<'input>(StyleSheet<'input>);
+
+/// How an element is drawn, which the elements in it inherit.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    pub(super) is_visible: bool,
+    /// Whether there is a paint to fill shapes, and whether it is opaque.
+    fill: [bool; 2],
+    /// Whether there is a paint for lines, whether it is opaque, and whether lines have a width.
+    stroke: [bool; 3],
+}
+
+impl Look {
+    /// That of a drawing which says nothing of it.
+    pub(super) const INITIAL: Self = Self {
+        is_visible: true,
+        fill: [true; 2],
+        stroke: [false, true, true],
+    };
+
+    /// Whether a shape is filled, or has a line around it.
+    pub(super) fn paints(self) -> bool {
+        let all = |parts: &[bool]| parts.iter().all(|part| *part);
+        all(&self.fill) || all(&self.stroke)
+    }
+}
 
 /// The system of an element in that of its parent, as texts.
 pub(super) struct Placement<'a> {
@@ -32,7 +62,7 @@ pub(super) struct Placement<'a> {
 
 impl<'input> Styles<'input> {
     /// # Errors
-    /// A message for more than 200 such rules.
+    /// A message for more than 1000 such rules.
     pub(super) fn of(document: &'input Document<'_>) -> Result<Self, String> {
         let mut sheet = StyleSheet::new();
         let elements = document.descendants();
@@ -52,7 +82,7 @@ impl<'input> Styles<'input> {
             .retain(|rule| rule.declarations.iter().any(|d| is_relevant(d.name)));
         if sheet.rules.len() > MAX_RULES {
             return Err(format!(
-                "the style sheets have more than {MAX_RULES} rules that hide or move shapes"
+                "the style sheets have more than {MAX_RULES} rules that paint, hide or move shapes"
             ));
         }
         Ok(Self(sheet))
@@ -96,10 +126,25 @@ impl<'a> ElementStyle<'a, '_> {
         self.property("display") != Some("none") && !self.property("opacity").is_some_and(is_zero)
     }
 
-    /// Whether an element says that it can be seen, or that it cannot; `None` if it is as what is around it.
-    pub(super) fn visibility(&self) -> Option<bool> {
-        let value = self.property("visibility").filter(|v| *v != "inherit");
-        value.map(|value| !matches!(value, "hidden" | "collapse"))
+    /// How an element is drawn inside of what is drawn like this: as it says itself, or else as what is around it.
+    pub(super) fn look(&self, around: Look) -> Look {
+        let own = |name: &str| self.property(name).filter(|value| *value != "inherit");
+        let opaque = |name: &str, before: bool| own(name).map_or(before, |value| !is_zero(value));
+        let paint = |name: &str, before: bool| own(name).map_or(before, is_paint);
+        Look {
+            is_visible: own("visibility").map_or(around.is_visible, |value| {
+                !matches!(value, "hidden" | "collapse")
+            }),
+            fill: [
+                paint("fill", around.fill[0]),
+                opaque("fill-opacity", around.fill[1]),
+            ],
+            stroke: [
+                paint("stroke", around.stroke[0]),
+                opaque("stroke-opacity", around.stroke[1]),
+                opaque("stroke-width", around.stroke[2]),
+            ],
+        }
     }
 
     /// Where an element is, in the system of its parent.
@@ -128,10 +173,20 @@ impl<'a> ElementStyle<'a, '_> {
     }
 }
 
-/// Whether an opacity is 0, or less, which is the same.
-fn is_zero(opacity: &str) -> bool {
-    let number = opacity.trim().trim_end_matches('%').parse::<f64>();
+/// Whether an opacity or a width is 0, or less, which is the same.
+fn is_zero(value: &str) -> bool {
+    let end = |c: char| c == '%' || c.is_alphabetic();
+    let number = value.trim().trim_end_matches(end).parse::<f64>();
     number.is_ok_and(|number| number <= 0.0)
+}
+
+/// Whether a shape with this paint can be seen.
+fn is_paint(value: &str) -> bool {
+    match Paint::from_str(value) {
+        Ok(Paint::None) => false,
+        Ok(Paint::Color(color)) => color.alpha > 0,
+        _ => true,
+    }
 }
 
 /// Two lengths in units of the drawing.
