@@ -129,6 +129,10 @@ fn write_file(path: &Path, session: &Session, write: Writing<'_>) -> Result<()> 
     let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let folder = folder_of(path);
     let mut beside = new_file_in(&folder).map_err(failed)?;
+    if let Ok(before) = std::fs::metadata(path) {
+        let kept = beside.as_file().set_permissions(before.permissions());
+        kept.map_err(failed)?;
+    }
     remove_if_ended(Some(beside.path()));
     {
         let mut out = BufWriter::new(beside.as_file_mut());

@@ -158,6 +158,20 @@ fn a_result_has_the_permissions_that_the_umask_leaves() {
     assert_eq!(mode & 0o777, 0o640);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_replaced_keeps_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("f.txt");
+    fs::write(&path, "before").unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+    done_in(folder.path(), &["implicitize", "x", "-o", "f.txt"], "");
+    assert_eq!(fs::read_to_string(&path).unwrap(), "x = 0\n");
+    let mode = fs::metadata(&path).unwrap().permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+}
+
 #[test]
 fn a_form_may_be_a_file_with_comments_or_start_with_a_minus() {
     let folder = TempDir::new().unwrap();
