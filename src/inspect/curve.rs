@@ -459,7 +459,6 @@ impl<const N: usize> CurveInspector<N> {
     }
 }
 
-#[expect(clippy::cast_precision_loss, reason = "counts of points are small")]
 /// The number in the middle of numbers, of which there is at least one.
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut numbers: Vec<f64> = numbers.collect();
@@ -467,6 +466,7 @@ fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     *numbers.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
+#[expect(clippy::cast_precision_loss, reason = "counts of points are small")]
 fn part(k: usize, count: usize) -> f64 {
     k as f64 / count as f64
 }
