@@ -2,5 +2,6 @@
 
 mod grid;
 mod positive;
+mod touching;
 
 pub use positive::{Positivity, positivity};

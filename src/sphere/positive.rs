@@ -3,6 +3,7 @@
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::grid::Latitudes;
+use super::touching::direction_without_radius;
 use crate::error::{Invariant, Result};
 use crate::exact::{Dyadic, Rational};
 use crate::intervals::interval::Interval;
@@ -38,6 +39,8 @@ pub enum Positivity {
 
 /// A radius is scaled if its terms are beyond 2 to this power, or its inverse.
 const MOST_EXPONENT: i64 = 300;
+/// The largest degree at which a zero in a rational direction is looked for, because that takes many exact values.
+const MOST_DEGREE: usize = 24;
 /// The distances of the latitudes and longitudes of the grids, as multiples of 1/L; each grid is finer than the one before.
 const STEPS: [f64; 5] = [0.5, 0.25, 0.125, 0.06, 0.03];
 
@@ -96,6 +99,7 @@ pub fn positivity(
     let terms = surface.terms().map(|(l, m, c)| ((l, m), c * &unit));
     let scaled = HarmonicSurface::new(terms)?;
     let latitudes = Latitudes::new(&scaled);
+    let mut last = None;
     for step in STEPS {
         limits.check()?;
         let mean = scaled.coefficient(0, 0);
@@ -123,6 +127,12 @@ pub fn positivity(
         if value.signum() <= 0 {
             return Ok(Positivity::NotPositive { direction, value });
         }
+        last = Some(direction);
+    }
+    if let Some(near) = last.filter(|_| surface.degree() <= MOST_DEGREE)
+        && let Some((direction, value)) = direction_without_radius(pair, &near, limits)?
+    {
+        return Ok(Positivity::NotPositive { direction, value });
     }
     Ok(Positivity::Unknown)
 }
@@ -269,6 +279,46 @@ mod tests {
         assert!(matches!(of("1"), Positivity::NotPositive { .. }));
         assert!(matches!(of("0.99"), Positivity::NotPositive { .. }));
         assert_eq!(of("1.00000001"), Positivity::Unknown);
+    }
+
+    /// A radius that is 0 in one rational direction: |n|² − n·d for a unit vector d, or its square, or along a circle.
+    #[test]
+    fn zeros_in_rational_directions_are_found() {
+        let of = |text: &str| {
+            use crate::language::{Numbers, parse_form};
+            use crate::shape::Form;
+            let Form::Harmonic(surface) = parse_form(text, "<form>", Numbers::Exact).unwrap()
+            else {
+                panic!("{text}")
+            };
+            decided(&surface)
+        };
+        let x = "sin(phi)*cos(theta)";
+        let y = "sin(phi)*sin(theta)";
+        for text in [
+            format!("R = 1 + {x}"),
+            format!("R = 1 - {x}"),
+            format!("R = 3 - 3*{y}"),
+            format!("R = 7 + 7*{y}"),
+            format!("R = 5 + 3*{x} + 4*{y}"),
+            format!("R = 1 + 2/7*{x} - 3/7*{y} + 6/7*cos(phi)"),
+            format!("R = (13 - 5*{x} - 12*cos(phi))^2"),
+            format!("R = (3*{x} + 4*{y})^2"),
+            "R = cos(phi)^2".to_owned(),
+        ] {
+            let Positivity::NotPositive { value, .. } = of(&text) else {
+                panic!("{text} is 0 in a rational direction")
+            };
+            assert!(value.is_zero(), "{text}: {value}");
+        }
+        // The first of these is 0 in the direction of (1, 1, 0), which is not rational; the others are never 0.
+        for text in [
+            format!("R = 1 - 2*{x}*{y}"),
+            format!("R = 3 + {x} + 2*{y} + 2*cos(phi) + 1e-12"),
+            format!("R = (1 + {x})^2 + 1e-14"),
+        ] {
+            assert_eq!(of(&text), Positivity::Unknown, "{text}");
+        }
     }
 
     #[test]
