@@ -206,6 +206,7 @@ fn description_notes(d: &HarmonicDescription) -> Vec<String> {
         Positivity::NotPositive { direction, value } => {
             let [u, v, w] = direction.each_ref().map(Rational::to_f64);
             let value = match value.to_f64() {
+                _ if value.is_zero() => "0".to_owned(),
                 value if value.is_infinite() => "below every double".to_owned(),
                 value if value == 0.0 || (1e-4..1e15).contains(&value.abs()) => {
                     format!("{value:.6}")

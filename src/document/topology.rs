@@ -94,8 +94,13 @@ enum Side {
     Up,
 }
 
-/// The decimal with at most this many digits after the point that is next to the number on one side.
+/// The decimal with at most this many digits after the point, and as many more as there are zeros at first, that is next to the number
+/// on one side.
 fn outward(q: &Rational, digits: u32, side: Side) -> String {
+    let zeros = q
+        .decimal_exponent()
+        .map_or(0, |exponent| (-exponent - 1).max(0));
+    let digits = digits.saturating_add(u32::try_from(zeros).unwrap_or(u32::MAX));
     let unit = Rational::whole(Integer::from(10).pow(u64::from(digits)));
     let scaled = q * &unit;
     let whole = match side {
@@ -120,15 +125,29 @@ fn shown(c: &Coordinate, digits: u32) -> String {
 
 fn exact_shown(q: &Rational, digits: u32) -> String {
     let text = q.to_string();
-    if text.len() <= 2 * digits as usize {
+    if text.trim_start_matches('-').len() <= 2 * digits as usize {
         text
     } else {
         format!("≈ {}", trimmed(q, digits))
     }
 }
 
+/// The digits that people are shown unless they ask for more than the usual digits of documents.
+const SHOWN: u32 = 12;
+const USUAL: u32 = 16;
+
+/// A decimal with this many digits after the point or, for a number that is small or large, with this many digits.
 fn trimmed(q: &Rational, digits: u32) -> String {
-    let text = q.to_decimal(digits.min(12));
+    let digits = match digits {
+        0..=USUAL => digits.min(SHOWN),
+        more => more,
+    };
+    if q.decimal_exponent()
+        .is_some_and(|exponent| !(-5..16).contains(&exponent))
+    {
+        return q.to_significant(digits);
+    }
+    let text = q.to_decimal(digits);
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
@@ -297,6 +316,29 @@ mod tests {
     use super::*;
 
     #[test]
+    fn people_are_shown_digits_of_numbers_of_any_size() {
+        let q = |text: &str| text.parse::<Rational>().expect("a fraction");
+        for (number, digits, shown) in [
+            ("1e-31", 16, "≈ 1e-31"),
+            ("2/3e31", 16, "≈ 6.66666666667e-32"),
+            ("-1e31", 16, "-10000000000000000000000000000000"),
+            ("1e31", 16, "10000000000000000000000000000000"),
+            ("1e62", 16, "≈ 1e62"),
+            ("123456789012345678901/123456789012345678900", 16, "≈ 1"),
+            ("1e-5", 16, "1/100000"),
+            (
+                "20000000000000000000000000000/3",
+                20,
+                "20000000000000000000000000000/3",
+            ),
+        ] {
+            assert_eq!(exact_shown(&q(number), digits), shown, "{number}");
+        }
+        assert_eq!(trimmed(&q("2/3"), 16), "0.666666666667");
+        assert_eq!(trimmed(&q("2/3"), 20), "0.66666666666666666667");
+    }
+
+    #[test]
     fn decimals_are_rounded_outward() {
         let q = |text: &str| text.parse::<Rational>().expect("a fraction");
         assert_eq!(outward(&q("1/3"), 4, Side::Down), "0.3333");
@@ -304,6 +346,10 @@ mod tests {
         assert_eq!(outward(&q("-1/3"), 4, Side::Down), "-0.3334");
         assert_eq!(outward(&q("-1/3"), 4, Side::Up), "-0.3333");
         assert_eq!(outward(&q("-5/4"), 4, Side::Down), "-1.25");
+        // Small numbers keep their digits.
+        assert_eq!(outward(&q("2/3e10"), 4, Side::Down), "0.00000000006666");
+        assert_eq!(outward(&q("-2/3e10"), 4, Side::Down), "-0.00000000006667");
+        assert_eq!(outward(&q("2/3e-10"), 4, Side::Up), "6666666666.6667");
         assert_eq!(outward(&q("100"), 0, Side::Up), "100");
     }
 }
