@@ -132,6 +132,19 @@ fn an_option_that_a_verb_does_not_have_is_found_where_it_belongs() {
             "there is no option --zebra; there are --model, --harmonics, ",
         ),
         ("--hlep", "there is no option --hlep; did you mean --help?"),
+        // A form may begin with a sign, so the parser takes the first word for one.
+        (
+            "sample --directons 3 r=2",
+            "there is no option --directons; did you mean --directions?",
+        ),
+        (
+            "sample --zebra=1 3 r=2",
+            "there is no option --zebra=1; there are --window, ",
+        ),
+        (
+            "paper 3 --zebra",
+            "there is no option --zebra; there are --only, ",
+        ),
     ]);
 }
 

@@ -94,7 +94,10 @@ fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> Strin
                     let similar = context(ContextKind::SuggestedArg);
                     option::unknown(name, similar, verb, command)
                 }
-                false => stray::argument(argument, typed, verb),
+                false => match stray::option_as_form(typed, verb) {
+                    Some(option) => behind_a_form(option, typed, command),
+                    None => stray::argument(argument, typed, verb),
+                },
             }
         }
         (ErrorKind::InvalidSubcommand, ..) => {
@@ -108,4 +111,16 @@ fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> Strin
             text.trim_end().into()
         }
     }
+}
+
+/// The message for an unknown option that the parser took for a form. Behind a form the parser knows an option with a similar name.
+fn behind_a_form(option: &str, typed: &Typed, command: &clap::Command) -> String {
+    let verb = typed.verb(command);
+    let words = [command.get_name(), verb.get_name(), "-", option];
+    let error = command.clone().try_get_matches_from(words).err();
+    let similar = error.and_then(|error| match error.get(ContextKind::SuggestedArg) {
+        Some(ContextValue::String(similar)) => Some(similar.clone()),
+        _ => None,
+    });
+    option::unknown(option, similar.as_deref(), verb, command)
 }

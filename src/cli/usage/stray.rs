@@ -32,6 +32,19 @@ pub(super) fn argument(argument: &str, typed: &Typed, verb: &Command) -> String 
     format!("{argument}: {name} takes one {takes}, and this is another argument{several}")
 }
 
+/// The first word that looks like an option, but is none of the verb; the parser takes it for a form, which may begin with a sign.
+pub(super) fn option_as_form<'t>(typed: &'t Typed, verb: &Command) -> Option<&'t str> {
+    let mut words = typed.words.iter().map(String::as_str);
+    words.find(|word| {
+        let name = word.split('=').next().unwrap_or(word);
+        let is_named = |rest: &str| {
+            let is_part = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+            rest.len() > 1 && rest.starts_with(char::is_alphabetic) && rest.chars().all(is_part)
+        };
+        name.strip_prefix("--").is_some_and(is_named) && find(verb, name).is_none()
+    })
+}
+
 /// The message for an operator that is an argument of its own. It belongs to a form without quotes; the parser does not notice
 /// this if the verb takes several forms.
 pub(super) fn operator(typed: &Typed, command: &Command) -> Option<String> {
