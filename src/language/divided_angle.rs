@@ -22,7 +22,7 @@ use crate::roots::real_roots;
 use crate::shape::Form;
 
 /// The largest degree in x and y before repeated and superfluous factors are divided out.
-const MAX_DEGREE: usize = 200;
+const MAX_DEGREE: usize = 100;
 
 /// The equation of `r^k = formula`.
 ///

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta, or another parameter |
 //! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: any other radius that is rational in cosines and sines of rational multiples of the angle gives the parametric curve (r cos t, r sin t) |
-//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cosines and sines of rational multiples of the angle: the equation that its points satisfy; k up to 500, harmonics up to 60. It may have the origin besides, as that of `r^2 = 2 + cos(t)` has |
+//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cosines and sines of rational multiples of the angle: the equation that its points satisfy; k up to 500, harmonics up to 60, with parts of the angle degrees up to 200. It may have the origin besides, as that of `r^2 = 2 + cos(t)` has |
 //! | `R = 1 + Y(2,0)/5`, `R = 1 + sin(phi)^2*cos(2*theta)/5` | a harmonic surface: R is a polynomial in sin φ cos θ, sin φ sin θ and cos φ, or in the harmonics Y(l, m) of [`crate::shape::HarmonicSurface`] |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |

@@ -176,6 +176,7 @@ fn large_polar_curves_are_limits() {
         ("r^2 = cos(9999t)", "a harmonic beyond 60"),
         ("r^3 = 1/(2 + cos(t)^61)", "a harmonic beyond 60"),
         ("r^2 = 1e40000 + cos(t)", "of more than 100000 bits"),
+        ("r^2 = 2 + cos(t/49)", "a degree beyond 200"),
     ] {
         match read(text) {
             Err(Error::Limit { limit, .. }) => assert!(limit.contains(part), "{limit}"),
