@@ -32,7 +32,7 @@ pub fn remark_text(remark: &Remark) -> String {
         ),
         Remark::HarmonicFile { file, read } => harmonic_file_text(file, read),
         Remark::FormOfComment(form) => format!(
-            "the form is {form}, of which the text says in a comment that it parametrizes it; without the comment it is the formula below it"
+            "the form is {form}, of which the text says in a comment that it parametrizes it; without the comment it is the formula beside it"
         ),
         Remark::OriginAdded => "this radius is never 0, but every polynomial that is 0 on the curve is 0 at the origin, too: all answers are those of the equation, which has the origin as an isolated point".into(),
         Remark::Hidden {
