@@ -11,8 +11,8 @@ const STEPS: usize = 40;
 const SHORT: f64 = 1e-11;
 /// Steps for quotients of differences: 2 to this power. The differences are exact.
 const DIFFERENCE: i64 = -16;
-/// Places are rounded to multiples of 2 to this power, so that exact values stay short.
-const GRAIN: f64 = (1u64 << 40) as f64;
+/// Places are rounded to multiples of 2^-40, so that exact values stay short.
+const GRAIN: f64 = 1_099_511_627_776.0;
 /// The part of its trace that is added to a matrix of second derivatives, so that it has an inverse where R is 0 along a curve.
 const DAMPING: f64 = 1e-6;
 /// The simplest coordinates within these distances are tried.
