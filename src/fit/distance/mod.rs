@@ -4,6 +4,7 @@
 //! enclosed by branch and bound over their edges ([`hausdorff`]); a tree of boxes finds nearest edges ([`polygon`]). A search for
 //! the fewest harmonics ([`search`]) measures few of the curves.
 
+mod fourier_transform;
 mod hausdorff;
 mod near;
 mod overlap;
@@ -50,14 +51,14 @@ pub struct HausdorffBounds {
 }
 
 /// How far a closed curve is from an outline; `None` if the curve has so many harmonics that a polygon near it has more than
-/// 2^22 vertices or takes more than 2^33 terms.
+/// 2^22 vertices.
 ///
 /// The bounds of the Hausdorff distance are at most 1 % apart, or 10^(−6) of half the longer side of the outline's box. They are
 /// proved: for the exact coordinates of the outline and the exact coefficients of the curve, provided that the arithmetic of
 /// doubles is that of IEEE 754.
 ///
-/// Cost: N M operations for N harmonics and M vertices of a polygon near the curve, which grows as the square root of the wanted
-/// precision, and O(log) operations for each vertex of both polygons.
+/// Cost: for M vertices of a polygon near the curve, at least 8 for each harmonic, more with the square root of the wanted
+/// precision, a fast Fourier transform of length M, and O(log M) operations for each vertex of both polygons.
 ///
 /// ```
 /// use stellate::exact::Rational;

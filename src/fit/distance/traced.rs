@@ -5,19 +5,15 @@ use std::f64::consts::TAU;
 use malachite::Integer;
 
 use super::super::as_f64;
-use super::super::turns::Turns;
+use super::fourier_transform;
 use super::polygon::Frame;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::parallel;
-use crate::roots::{UnitBall, rotations};
 use crate::shape::EllipticSeries;
 
 /// The largest number of vertices.
 const MOST_VERTICES: usize = 1 << 22;
-/// The largest number of terms that are summed for all vertices together.
-const MOST_TERMS: usize = 1 << 33;
 
 /// A polygon with vertices near a curve. Every point of the curve is within `error` of the polygon, and every point of the
 /// polygon is within `error` of the curve.
@@ -82,61 +78,35 @@ impl Tracer {
         next
     }
 
-    /// The polygon of a number of vertices, which is a power of two; `None` if that costs more than is allowed.
+    /// The polygon of a number of vertices, which is a power of two and at least [`Self::first_count`]; `None` if it is too large.
+    ///
+    /// With x + iy = Σ c_k e^(ikt), c_n = (a + d + i (c − b))/2 and c_(−n) = (a − d + i (c + b))/2 for the coefficients a and b of
+    /// cos nt and sin nt in x, and c and d of those in y.
     ///
     /// **Lemma.** Let h = 2π/M for M vertices, |C''| ≤ b. On each arc the curve is within b h²/8 of the point that divides the
-    /// chord in the same ratio as the parameter, so the arc and the chord are within that of each other. The vertices are sums of
-    /// 2N + 2 products in doubles: each factor cos or sin is wrong by at most 2^(−52), each coefficient by half an ulp, or
-    /// 2^(−1074), each product and each sum by half an ulp of at most the sum S of the coefficients' sizes. Together they are
-    /// wrong by less than (2N + 6) 2^(−52) S in each coordinate.
+    /// chord in the same ratio as the parameter, so the arc and the chord are within that of each other. Each coefficient is
+    /// rounded by at most 2^(−53) of its size, and so are the sums in c_n and c_(−n): together, these are wrong by at most
+    /// 2^(−51) S for the sum S of the sizes of all coefficients, and their sizes are at most S together. The values of the
+    /// transform are wrong by at most (4 log2(M) + 1) 2^(−52) S more, and by 2^(−1022).
     pub(super) fn polygon(&self, vertices: usize, limits: &Limits) -> Result<Option<Traced>> {
-        let harmonics = self.lists[0].len();
-        if vertices > MOST_VERTICES || vertices.saturating_mul(harmonics) > MOST_TERMS {
+        if vertices > MOST_VERTICES {
             return Ok(None);
         }
-        let table = quarter_waves(vertices);
-        let quarter = vertices / 4;
-        // Divisions by powers of two are shifts.
-        let bits = quarter.trailing_zeros();
-        let all = vertices - 1;
-        // cos 2πk/M, from the first quarter.
-        let cosine = |k: usize| {
-            let rest = k & (quarter - 1);
-            match k >> bits {
-                0 => table[rest][0],
-                1 => -table[rest][1],
-                2 => -table[rest][0],
-                _ => table[rest][1],
-            }
-        };
-        let points = parallel::try_map_numbers(vertices, limits, |j| {
-            let (mut x, mut y, mut k) = (0.0, 0.0, 0);
-            let [a, b, c, d] = &self.lists;
-            for n in 0..harmonics {
-                let (cos, sin) = (cosine(k), cosine((k + 3 * quarter) & all));
-                x += a[n] * cos + b[n] * sin;
-                y += c[n] * cos + d[n] * sin;
-                k = (k + j) & all;
-            }
-            Ok([x, y])
-        })?;
+        let [a, b, c, d] = &self.lists;
+        let mut points = vec![[0.0; 2]; vertices];
+        points[0] = [a[0], c[0]];
+        for n in 1..a.len() {
+            points[n] = [a[n] + d[n], c[n] - b[n]].map(|c| c / 2.0);
+            points[vertices - n] = [a[n] - d[n], c[n] + b[n]].map(|c| c / 2.0);
+        }
+        fourier_transform::values(&mut points, limits)?;
         let step = TAU / as_f64(vertices);
         let chord = self.bend * step * step / 8.0;
-        let rounding = as_f64(2 * harmonics + 6) * f64::EPSILON * self.size * 2.0;
+        let stages = f64::from(vertices.trailing_zeros());
+        let rounding = (4.0 * stages + 3.0) * f64::EPSILON * self.size + f64::MIN_POSITIVE;
         Ok(Some(Traced {
             points,
             error: (chord + rounding) * (1.0 + 1e-9),
         }))
     }
-}
-
-/// cos 2πk/M and sin 2πk/M for 0 ≤ k < M/4, each within 2^(−52).
-fn quarter_waves(vertices: usize) -> Vec<[f64; 2]> {
-    let turn = UnitBall::<2>::quotient(&Integer::from(1), &Integer::from(vertices));
-    let [cosines, sines] = rotations(Turns::new().at(turn, 0), vertices / 4 - 1);
-    cosines
-        .iter()
-        .zip(&sines)
-        .map(|(c, s)| [c.to_f64(), s.to_f64()])
-        .collect()
 }
