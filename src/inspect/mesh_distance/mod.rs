@@ -84,14 +84,14 @@ pub fn mesh_distance(
     let mesh: Vec<Face> = solid.triangles().iter().map(|t| Face(corners(t))).collect();
     let faces = Faces::new(mesh.clone());
 
-    let from_mesh = |_: &Face, part: &Face| {
+    let from_mesh = |_: &Face, part: &Face, _| {
         let found = tree.triangle_distance(&part.0, RELATIVE);
         [found.low, found.high]
     };
     let outwards = enclose(&mesh, 0.0, from_mesh, limits)?;
     // The mesh goes around the center, so every direction is one of a triangle.
-    let from_part = |face: &Face, part: &Face| match tree.flat_part(&part.0) {
-        Some(part) => from_mesh_of(&faces, face, &part),
+    let from_part = |face: &Face, part: &Face, enough| match tree.flat_part(&part.0) {
+        Some(part) => from_mesh_of(&faces, face, &part, enough),
         None => [0.0, f64::INFINITY],
     };
     let inwards = enclose(&mesh, outwards[0], from_part, limits)?;
@@ -102,18 +102,22 @@ pub fn mesh_distance(
     }))
 }
 
-/// Bounds of the largest distance of a part of the surface from the mesh. The distance from one triangle is convex, so on a triangle it is
-/// largest at a corner. Taken are the triangle in the same directions and the one that is nearest to the middle.
-fn from_mesh_of(faces: &Faces, same: &Face, part: &FlatPart) -> [f64; 2] {
+/// Bounds of the largest distance of a part of the surface from the mesh. The distance from one triangle is convex, so in a convex hull it
+/// is largest at a corner. Taken are the triangle in the same directions and, if that one is not near enough, the one that is nearest to
+/// the middle.
+fn from_mesh_of(faces: &Faces, same: &Face, part: &FlatPart, enough: f64) -> [f64; 2] {
+    let from = |face: &Face| {
+        let at_corners = part.hull.iter().map(|c| face.greatest_distance(c));
+        at_corners.fold(0.0, f64::max) + part.off
+    };
+    let high = from(same);
+    if high <= enough {
+        return [0.0, high];
+    }
     let Some((nearest, least)) = faces.nearest(part.middle) else {
         return [0.0, f64::INFINITY];
     };
-    let from = |face: &Face| {
-        let at_corners = part.corners.iter().map(|c| face.greatest_distance(c));
-        at_corners.fold(0.0, f64::max)
-    };
-    let high = from(same).min(from(&nearest)) + part.off;
-    [(least - part.wrong).max(0.0), high]
+    [(least - part.wrong).max(0.0), high.min(from(&nearest))]
 }
 
 /// A part of a triangle of the mesh.
@@ -124,12 +128,12 @@ struct Piece {
     most: f64,
 }
 
-/// Bounds of the largest distance of pieces, if it is at least `known`. `measure` is given a triangle and a part of it, and gives a distance
-/// that some point has at least, and one that all have at most.
+/// Bounds of the largest distance of pieces, if it is at least `known`. `measure` is given a triangle, a part of it, and a distance that is
+/// small enough, and gives a distance that some point has at least, and one that all have at most.
 fn enclose(
     mesh: &[Face],
     known: f64,
-    measure: impl Fn(&Face, &Face) -> [f64; 2] + Sync,
+    measure: impl Fn(&Face, &Face, f64) -> [f64; 2] + Sync,
     limits: &Limits,
 ) -> Result<[f64; 2]> {
     let (mut low, mut high) = (known, known);
@@ -139,15 +143,17 @@ fn enclose(
         most: f64::INFINITY,
     };
     let mut open: Vec<Piece> = mesh.iter().map(whole).collect();
+    let enough = |low: f64| f64::max(low * (1.0 + RELATIVE), low + ABSOLUTE);
     let mut work = 0;
     while !open.is_empty() {
         work += open.len();
+        let known_enough = enough(low);
         let found = parallel::try_map(&open, limits, |piece| {
-            let [least, most] = measure(&piece.face, &piece.part);
+            let [least, most] = measure(&piece.face, &piece.part, known_enough);
             Ok([least, most.min(piece.most)])
         })?;
         low = found.iter().fold(low, |low, bounds| low.max(bounds[0]));
-        let enough = f64::max(low * (1.0 + RELATIVE), low + ABSOLUTE);
+        let enough = enough(low);
         let mut rest = Vec::new();
         for (piece, [_, most]) in open.iter().zip(found) {
             if most <= enough || work > MOST_PIECES {
