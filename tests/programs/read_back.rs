@@ -45,60 +45,56 @@ const FORMS: [(&str, &str); 10] = [
 fn every_verb_reads_what_parametrize_writes() {
     for (form, equation) in FORMS {
         let form = form.replace("(x, y) = ", "");
+        let folder = TempDir::new().unwrap();
+        let run = |arguments: &[&str]| run_in(folder.path(), arguments, "");
         for format in READ {
-            let folder = TempDir::new().unwrap();
-            let run = |arguments: &[&str]| done_in(folder.path(), arguments, "");
-            run(&["parametrize", &form, "--format", format, "-o", "radii.txt"]);
-            let text = std::fs::read_to_string(folder.path().join("radii.txt")).unwrap();
-            let mut jobs = vec![
-                vec!["describe", "FORM"],
-                vec!["sample", "FORM", "--directions", "7"],
-                vec!["plot", "FORM", "-o", "f.svg"],
-            ];
-            if !form.contains("e=3/5") {
-                jobs.push(vec!["implicitize", "FORM"]);
-            }
-            if equation.contains('z') && !form.contains("superquadric") {
-                jobs.push(vec![
-                    "inspect",
-                    "FORM",
-                    "--tolerance",
-                    "0.1",
-                    "--point",
-                    "7,8,9",
-                ]);
-            }
-            for job in jobs {
-                let with = |form: &str| -> Vec<String> {
-                    job.iter().map(|a| a.replace("FORM", form)).collect()
+            let written = run(&["parametrize", &form, "--format", format, "-o", format]);
+            assert_eq!(written.code, 0, "{form} as {format}: {}", written.err);
+        }
+        let mut jobs = vec![
+            vec!["describe", "FORM"],
+            vec!["sample", "FORM", "--directions", "7"],
+            vec!["plot", "FORM", "-o", "f.svg"],
+        ];
+        if !form.contains("e=3/5") {
+            jobs.push(vec!["implicitize", "FORM"]);
+        }
+        if equation.contains('z') && !form.contains("superquadric") {
+            let inspect = "inspect FORM --tolerance 0.1 --point 7,8,9";
+            jobs.push(inspect.split(' ').collect());
+        }
+        for job in jobs {
+            let answer = |form: &str| {
+                let arguments: Vec<String> = job.iter().map(|a| a.replace("FORM", form)).collect();
+                let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+                let answer = run(&arguments);
+                // The point is outside.
+                let code = i32::from(job[0] == "inspect");
+                assert_eq!(answer.code, code, "{form}: {}", answer.err);
+                let text = match job[0] {
+                    "plot" => std::fs::read_to_string(folder.path().join("f.svg")).unwrap(),
+                    _ => answer.out,
                 };
-                let as_read = with("radii.txt");
-                let as_said = with(equation);
-                let answer = |arguments: &[String]| {
-                    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-                    let answer = run_in(folder.path(), &arguments, "");
-                    match arguments[0] {
-                        "plot" => std::fs::read_to_string(folder.path().join("f.svg")).unwrap(),
-                        // Exit code 1: the point is outside.
-                        "inspect" => answer.out,
-                        _ => run(&arguments),
-                    }
-                };
-                let plain =
-                    |text: String| text.replace("radii.txt", "FORM").replace(equation, "FORM");
-                assert_eq!(
-                    plain(answer(&as_read)),
-                    plain(answer(&as_said)),
-                    "{form} as {format}, {job:?}: {text}"
-                );
-            }
-            if !form.contains("e=3/5") {
-                let through_pipe = piped(&["implicitize", "-"], &text);
-                assert_eq!(
-                    through_pipe,
-                    run(&["implicitize", equation]),
-                    "{form} as {format}"
-                );
+                text.replace("radii.txt", "FORM").replace(equation, "FORM")
+            };
+            let expected = answer(equation);
+            for format in READ {
+                let text = std::fs::read_to_string(folder.path().join(format)).unwrap();
+                let context = format!("{form} as {format}, {job:?}: {text}");
+                // Described by the name of its file.
+                std::fs::rename(folder.path().join(format), folder.path().join("radii.txt"))
+                    .unwrap();
+                assert_eq!(answer("radii.txt"), expected, "{context}");
+                std::fs::rename(folder.path().join("radii.txt"), folder.path().join(format))
+                    .unwrap();
+                if job[0] == "implicitize" {
+                    let through_pipe = piped(&["implicitize", "-"], &text);
+                    assert_eq!(
+                        through_pipe.replace(equation, "FORM"),
+                        expected,
+                        "{context}"
+                    );
+                }
             }
         }
     }
