@@ -143,9 +143,7 @@ impl<const N: usize> NullaryFnOnce for Derivatives<'_, N> {
                 let mut sums = [[0.0; LANES]; N];
                 for (row, wave) in rows.iter().zip(&of_phi[parity]) {
                     for (sum, wave) in sums.iter_mut().zip(wave) {
-                        for (sum, c) in sum.iter_mut().zip(row) {
-                            *sum += c * wave;
-                        }
+                        add_products(sum, row, &[*wave; LANES]);
                     }
                 }
                 let next = times(power, square);
@@ -153,9 +151,7 @@ impl<const N: usize> NullaryFnOnce for Derivatives<'_, N> {
                 let mut wave = [power[0], power[1], next[0], next[1]];
                 for (i, list) in found.iter_mut().enumerate() {
                     for (found, sum) in list.iter_mut().zip(&sums).take(N - i) {
-                        for ((found, sum), wave) in found.iter_mut().zip(sum).zip(&wave) {
-                            *found += sum * wave;
-                        }
+                        add_products(found, sum, &wave);
                     }
                     wave = [
                         -m[0] * wave[1],
@@ -173,6 +169,19 @@ impl<const N: usize> NullaryFnOnce for Derivatives<'_, N> {
 
 /// Covers numbers below the range of doubles in sums of numbers of size 1.
 const TINY: f64 = f64::from_bits((1023 - 100) << 52);
+
+/// Adds the products of the numbers in equal lanes.
+#[inline(always)]
+fn add_products(
+    [a, b, c, d]: &mut [f64; LANES],
+    [p, q, r, s]: &[f64; LANES],
+    [t, u, v, w]: &[f64; LANES],
+) {
+    *a += p * t;
+    *b += q * u;
+    *c += r * v;
+    *d += s * w;
+}
 
 /// The product of two complex numbers.
 #[inline(always)]
