@@ -96,7 +96,7 @@ struct InHalfAngle {
 
 fn in_half_angle(f: &TrigPolynomial) -> InHalfAngle {
     let degree = f.degree().unwrap_or(0);
-    let scale = common_denominator(&[f]);
+    let scale = f.common_denominator();
     let mut coefficients = vec![Integer::ZERO; 2 * degree as usize + 1];
     for (n, pair) in f.harmonics() {
         for (part, c) in half_angle(n, degree).iter().zip(pair) {
@@ -114,12 +114,10 @@ fn in_half_angle(f: &TrigPolynomial) -> InHalfAngle {
 }
 
 fn common_denominator(functions: &[&TrigPolynomial]) -> Integer {
-    let numbers = functions.iter().flat_map(|f| f.harmonics());
-    numbers
-        .flat_map(|(_, pair)| pair)
-        .fold(Integer::ONE, |d, c| {
-            Integer::from(d.unsigned_abs_ref().lcm(c.denominator_ref()))
-        })
+    let all = functions.iter().map(|f| f.common_denominator());
+    all.fold(Integer::ONE, |d, e| {
+        Integer::from(d.unsigned_abs_ref().lcm(e.unsigned_abs_ref()))
+    })
 }
 
 /// The polynomials [U, V] with U + rV = 2 scale r^(N + more) P, for a trigonometric polynomial P of degree N. `scale` must be a

@@ -2,6 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use malachite::base::num::arithmetic::traits::Lcm;
+use malachite::base::num::basic::traits::One;
+use malachite::{Integer, Natural};
+
 use super::Ring;
 use crate::error::Invariant;
 use crate::exact::Rational;
@@ -130,6 +134,22 @@ impl TrigPolynomial {
         value
     }
 
+    /// The least common denominator of all coefficients.
+    pub(crate) fn common_denominator(&self) -> Integer {
+        let all = self.harmonics.values().flatten();
+        Integer::from(all.fold(Natural::ONE, |d, c| d.lcm(c.denominator_ref())))
+    }
+
+    /// The least common denominator, and the coefficients times it.
+    fn over_common_denominator(&self) -> (Integer, Vec<(u32, [Integer; 2])>) {
+        let denominator = self.common_denominator();
+        let whole = Rational::whole(&denominator);
+        let scaled = |c: &Rational| (c * &whole).numerator();
+        let all = self.harmonics.iter();
+        let all = all.map(|(&n, pair)| (n, pair.each_ref().map(scaled)));
+        (denominator, all.collect())
+    }
+
     /// Checks the invariants of the type; every property test calls it.
     #[cfg(test)]
     pub(crate) fn check_invariants(&self) -> bool {
@@ -156,19 +176,33 @@ impl Ring for TrigPolynomial {
     /// e^{imθ} = ½ Re (z w e^{i(n+m)θ} + z w̄ e^{i(n−m)θ})`.
     /// # Panics
     /// If a harmonic of the product is 2^32 or more.
+    ///
+    /// Cost: N M products of integers for N and M harmonics, and N + M greatest common divisors.
     fn times(&self, other: &Self) -> Self {
-        let mut product = Self::zero();
-        let half = |value: Rational| value / Rational::from(2);
-        for (&n, [a, b]) in &self.harmonics {
-            for (&m, [c, d]) in &other.harmonics {
+        let [(p, f), (q, g)] = [self, other].map(Self::over_common_denominator);
+        let mut sums: BTreeMap<u32, [Integer; 2]> = BTreeMap::new();
+        let mut add = |n: u32, [cos, sin]: [Integer; 2]| {
+            let sum = sums.entry(n).or_default();
+            sum[0] += cos;
+            sum[1] += sin;
+        };
+        for (n, [a, b]) in &f {
+            for (m, [c, d]) in &g {
                 let (ac, bd, ad, bc) = (a * c, b * d, a * d, b * c);
-                let upper = [half(&ac - &bd), half(&ad + &bc)];
+                let sum = n.checked_add(*m).invariant("harmonics are below 2^32");
+                add(sum, [&ac - &bd, &ad + &bc]);
                 let difference = if n >= m { bc - ad } else { ad - bc };
-                let lower = [half(ac + bd), half(difference)];
-                let sum = n.checked_add(m).invariant("harmonics are below 2^32");
-                product.add_harmonic(sum, upper);
-                product.add_harmonic(n.abs_diff(m), lower);
+                add(n.abs_diff(*m), [ac + bd, difference]);
             }
+        }
+        let denominator = p * q * Integer::from(2);
+        let quotient = |sum: Integer| {
+            let exact = Rational::from_integers(sum, denominator.clone());
+            exact.invariant("a product of denominators is not 0")
+        };
+        let mut product = Self::zero();
+        for (n, sums) in sums {
+            product.add_harmonic(n, sums.map(quotient));
         }
         product
     }
