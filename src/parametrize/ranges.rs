@@ -242,7 +242,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(24))]
+        #![proptest_config(ProptestConfig::with_cases(12))]
         /// With many harmonics, values are tried first.
         #[test]
         fn ranges_of_many_harmonics_are_those_by_counting(c in prop::collection::vec((-2i64..3, -2i64..3), 102..108), constant in -9i64..90) {

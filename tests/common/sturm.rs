@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 use stellate::exact::Rational;
 use stellate::poly::SparsePolynomial;
 
@@ -12,7 +12,7 @@ fn num(q: &Rational) -> BigRational {
     BigRational::from(q)
 }
 
-fn trimmed(mut p: Ascending) -> Ascending {
+fn trimmed<T: Zero>(mut p: Vec<T>) -> Vec<T> {
     while p.last().is_some_and(Zero::is_zero) {
         p.pop();
     }
@@ -46,21 +46,30 @@ pub(crate) fn count_along(f: &SparsePolynomial<3>, direction: &[Rational; 3]) ->
     if f.is_empty() {
         return None;
     }
-    let df: Ascending = f
+    // A positive factor changes no sign.
+    let scale = f.iter().fold(BigInt::one(), |d, c| {
+        let missing = BigRational::new(c.denom().clone(), d.clone());
+        d * missing.numer()
+    });
+    let f: Vec<BigInt> = f.iter().map(|c| c.numer() * (&scale / c.denom())).collect();
+    let df = f
         .iter()
         .enumerate()
         .skip(1)
-        .map(|(i, c)| c * BigRational::from(BigInt::from(i)))
-        .collect();
-    let mut chain = vec![f, trimmed(df)];
+        .map(|(i, c)| c * BigInt::from(i));
+    let mut chain = vec![f.clone(), trimmed(df.collect())];
     while !chain[chain.len() - 1].is_empty() {
         let (mut a, b) = (chain[chain.len() - 2].clone(), &chain[chain.len() - 1]);
+        let last = &b[b.len() - 1];
         while a.len() >= b.len() {
-            let q = &a[a.len() - 1] / &b[b.len() - 1];
+            // The next remainder of a |last|, so that the quotient is an integer.
+            let q = &a[a.len() - 1] * last.signum();
             let start = a.len() - b.len();
+            for c in &mut a {
+                *c *= last.abs();
+            }
             for (i, v) in b.iter().enumerate() {
-                let s = &q * v;
-                a[start + i] -= s;
+                a[start + i] -= &q * v;
             }
             a.pop();
             a = trimmed(a);

@@ -4,7 +4,7 @@
 
 use crate::common::program::{done, json, run_in};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use proptest::prelude::*;
 use stellate::arcs::{ArcEnd, ArcOptions, IntersectionArcs, trace_intersection};
 use stellate::language::{Numbers, parse_form};
@@ -27,16 +27,24 @@ fn traced(text: &str, half: f64, resolution: u32) -> IntersectionArcs {
     trace_intersection([&f, &g], &options, &Limits::none(), &|_| {}).unwrap()
 }
 
-/// f at a point, over num-rational, term by term.
+/// f at a point, over num-rational, term by term: the coordinates are integers over one power of 2.
 fn value(f: &SparsePolynomial<3>, p: [f64; 3]) -> BigRational {
     let p = p.map(|x| BigRational::from_float(x).unwrap());
-    f.terms().fold(BigRational::zero(), |sum, (e, c)| {
-        let mut term = BigRational::from(c);
-        for (x, k) in p.iter().zip(e) {
-            term *= (0..*k).fold(BigRational::one(), |power, _| power * x);
+    let below = p.iter().map(|x| x.denom()).max().unwrap();
+    let above = p.each_ref().map(|x| x.numer() * (below / x.denom()));
+    let degree = f
+        .terms()
+        .map(|(e, _)| e.iter().sum::<u32>())
+        .max()
+        .unwrap_or(0);
+    let sum = f.terms().fold(BigRational::zero(), |sum, (e, c)| {
+        let mut term = below.pow(degree - e.iter().sum::<u32>());
+        for (x, k) in above.iter().zip(e) {
+            term *= x.pow(*k);
         }
-        sum + term
-    })
+        sum + BigRational::from(c) * term
+    });
+    sum / below.pow(degree)
 }
 
 /// What holds of every answer: residuals, bounds, steps, the box.
