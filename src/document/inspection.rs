@@ -1,6 +1,6 @@
 //! Verdicts of an inspection, point by point, as CSV, JSON and text, and as a cloud of coloured points.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -11,7 +11,7 @@ use super::feet::{FootEntry, FootParts, foot_names, foot_text};
 use super::json::{Number, text_of, write_value};
 use super::remark::counted;
 use super::{Format, Kind, SCHEMA};
-use crate::error::Result;
+use crate::error::{Error, Invariant, Result};
 use crate::inspect::{
     CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section, ToleranceZone,
     Verdict,
@@ -242,7 +242,8 @@ impl InspectionWriter {
         })
     }
 
-    /// Carries the other columns of a table along, whose names these are: behind the others in CSV, in `kept` in JSON.
+    /// Carries the other columns of a table along, whose names these are: behind the others in CSV, in `kept` in JSON. The names in
+    /// either must differ, or the first thing that is written is an error.
     #[must_use]
     pub fn keeping(self, names: impl IntoIterator<Item = String>) -> Self {
         Self {
@@ -272,6 +273,31 @@ impl InspectionWriter {
         Ok(())
     }
 
+    /// The names of the columns of CSV.
+    fn columns(&self) -> Vec<String> {
+        let axes = &["x", "y", "z"][..self.dimension];
+        let found = ["verdict", "curve", "distance_low", "distance_high", "sign"];
+        let mut names: Vec<String> = axes.iter().chain(&found).map(|&name| name.into()).collect();
+        if self.with_feet {
+            names.extend(foot_names(self.dimension));
+        }
+        names.extend(self.kept.iter().flatten().cloned());
+        names
+    }
+
+    /// # Errors
+    /// If two of the names are the same.
+    fn check_names<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<()> {
+        let mut known = BTreeSet::new();
+        match names.into_iter().find(|name| !known.insert(*name)) {
+            Some(twice) => Err(Error::Usage(format!(
+                "two columns of the result would be called {twice:?}, because --keep carries columns along with their names; rename \
+                 the one in the table"
+            ))),
+            None => Ok(()),
+        }
+    }
+
     /// The columns that are carried along, with the fields of a point.
     fn kept<'p>(&'p self, point: &'p InspectedPoint<'_>) -> Option<BTreeMap<&'p str, &'p str>> {
         let names = self.kept.as_ref()?.iter().map(String::as_str);
@@ -283,6 +309,7 @@ impl PointWriter for InspectionWriter {
     fn begin(&self, zone: &ToleranceZone, out: &mut dyn Write) -> Result<()> {
         match self.format {
             Format::Json => {
+                Self::check_names(self.kept.iter().flatten())?;
                 let uncertainty = zone.uncertainty().to_string();
                 let head = Head {
                     schema: SCHEMA,
@@ -295,14 +322,11 @@ impl PointWriter for InspectionWriter {
             }
             Format::Text => Ok(()),
             _ => {
-                let axes = if self.dimension == 2 { "x,y" } else { "x,y,z" };
-                write!(out, "{axes},verdict,curve,distance_low,distance_high,sign")?;
-                if self.with_feet {
-                    let names = foot_names(self.dimension);
-                    Self::write_fields(names.iter().map(String::as_str), out)?;
-                }
-                let names = self.kept.iter().flatten().map(String::as_str);
-                Self::write_fields(names, out)?;
+                let names = self.columns();
+                Self::check_names(&names)?;
+                let (first, rest) = names.split_first().invariant("points have coordinates");
+                write!(out, "{first}")?;
+                Self::write_fields(rest.iter().map(String::as_str), out)?;
                 Ok(writeln!(out)?)
             }
         }

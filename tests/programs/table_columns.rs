@@ -169,3 +169,40 @@ fn rows_of_outlines_that_are_finished_are_written_at_a_limit() {
         );
     }
 }
+
+/// Columns are carried along by their names, which must differ from each other and, in CSV, from those of the answers.
+#[test]
+fn columns_that_would_have_equal_names_are_not_carried_along() {
+    let kept = |table: &str, options: &[&str]| {
+        let fixed = [
+            "inspect",
+            "r = 5",
+            "--tolerance=0.1",
+            "--points=data.csv",
+            "--keep",
+        ];
+        with_data(table, &[&fixed[..], options].concat())
+    };
+    let answers = kept("x,y\n3,4\n", &[]).out;
+    let again = answers.as_str();
+    let json = ["--format=json"];
+    let feet = ["--feet"];
+    for (table, options, twice) in [
+        ("x,y,a,a\n3,4,1,2\n", &[][..], Some("a")),
+        ("x,y,a,a\n3,4,1,2\n", &json[..], Some("a")),
+        (again, &[][..], Some("verdict")),
+        (again, &json[..], None),
+        ("x,y,foot_x\n3,4,1\n", &feet[..], Some("foot_x")),
+        ("x,y,foot_x\n3,4,1\n", &[][..], None),
+    ] {
+        let run = kept(table, options);
+        match twice {
+            Some(name) => {
+                assert_eq!((run.code, run.out.as_str()), (2, ""), "{table}");
+                let expected = format!("two columns of the result would be called {name:?}");
+                assert!(run.err.contains(&expected), "{table}: {}", run.err);
+            }
+            None => assert_eq!(run.code, 0, "{table}: {}", run.err),
+        }
+    }
+}

@@ -75,7 +75,7 @@ impl CellTree {
         if reach > 0.045 {
             return None;
         }
-        // The directions are within this of the middle, where |cos φ| is at most √½ up to rounding.
+        // As the corners, all directions are within `reach` of the middle, where |cos φ| is at most √½ up to rounding: a cap is convex.
         let cos = at[1].cos().abs() + reach + 4.0 * ANGLE;
         let sin = (1.0 - cos * cos).sqrt();
         let curved = (0.5 + (0.25 + 1.0 / (sin * sin)).sqrt()) * cos / sin;
