@@ -114,19 +114,6 @@ impl Expansion {
         [dot(a, a) + aa, dot(a, b) + ab, dot(b, b) + bb]
     }
 
-    /// X'v
-    pub(super) fn along(&self, v: [f64; 2]) -> [f64; 3] {
-        let [a, b] = &self.slopes;
-        [0, 1, 2].map(|i| v[0] * a[i] + v[1] * b[i])
-    }
-
-    /// ½X''(v, w)
-    pub(super) fn bent(&self, v: [f64; 2], w: [f64; 2]) -> [f64; 3] {
-        let [aa, ab, bb] = &self.bends;
-        let mixed = v[0] * w[1] + v[1] * w[0];
-        [0, 1, 2].map(|i| 0.5 * (v[0] * w[0] * aa[i] + mixed * ab[i] + v[1] * w[1] * bb[i]))
-    }
-
     /// The largest length of a slope, and half the largest one of a bend.
     pub(super) fn sizes(&self) -> (f64, f64) {
         let lengths = self.slopes.each_ref().map(length);

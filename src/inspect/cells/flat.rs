@@ -155,6 +155,21 @@ impl CellTree {
     }
 }
 
+impl Expansion {
+    /// X'v
+    fn along(&self, v: [f64; 2]) -> [f64; 3] {
+        let [a, b] = &self.slopes;
+        [0, 1, 2].map(|i| v[0] * a[i] + v[1] * b[i])
+    }
+
+    /// ½X''(v, w)
+    fn bent(&self, v: [f64; 2], w: [f64; 2]) -> [f64; 3] {
+        let [aa, ab, bb] = &self.bends;
+        let mixed = v[0] * w[1] + v[1] * w[0];
+        [0, 1, 2].map(|i| 0.5 * (v[0] * w[0] * aa[i] + mixed * ab[i] + v[1] * w[1] * bb[i]))
+    }
+}
+
 /// The middle of a triangle.
 fn middle([p, q, r]: &[[f64; 3]; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| (p[i] + q[i] + r[i]) / 3.0)
