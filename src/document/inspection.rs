@@ -285,8 +285,10 @@ impl InspectionWriter {
         names
     }
 
+    /// Columns and fields of JSON are found by their names.
+    ///
     /// # Errors
-    /// If two of the names are the same.
+    /// [`Error::Usage`] if two of the names are the same.
     fn check_names<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<()> {
         let mut known = BTreeSet::new();
         match names.into_iter().find(|name| !known.insert(*name)) {

@@ -10,7 +10,8 @@ use crate::roots::{UnitBall, rotations};
 /// The values of Σ c_k e^(ikt), where k is counted modulo M, at t = 2πj/M for j = 0, …, M − 1, in place; M is a power of two and at
 /// least 4.
 ///
-/// This is the fast Fourier transform of Cooley and Tukey with radix 2, decimated in time: M log2(M) operations.
+/// This is the fast Fourier transform of Cooley and Tukey with radix 2, decimated in time: M log2(M) operations. The crate rustfft, by
+/// which series are fitted, states no bound of its rounding errors.
 ///
 /// **Lemma.** Each value is within (4 log2(M) + 1) 2^(−52) S of the exact one, for the sum S of the sizes of all c_k, if nothing
 /// underflows; what underflows adds less than 2^(−1022) for M ≤ 2^22. Proof: before and after each stage, each number is a sum of
